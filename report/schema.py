@@ -58,6 +58,14 @@ def measures(kind):
     return tuple(table(f"{kind}.csv")["measures"].items())
 
 
+@functools.cache
+def timed():
+    """{problem: what is declared of its times}: what one is of (`unit`, in Chinese `unit_zh`), the axis that runs `across` their
+    tables, and when an answer is `right`."""
+    blocks = {file.removesuffix(".csv"): declared["timed"] for file, declared in _whole()["properties"].items() if "timed" in declared}
+    return {"evaluation": blocks.pop("accuracy"), **blocks}
+
+
 def method(kind):
     """The column of what is judged."""
     return table(f"{kind}.csv").get("method", "method")

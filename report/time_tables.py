@@ -9,20 +9,6 @@ from .tables import by_axis
 from .wording import count, general, interval, listing, percent, shortest, span
 
 EVALUATION = "evaluation"
-OR_HALF = "or, where no bound is proved, has half of its digits"
-# problem: what one time is of, in English and Chinese, the axis that runs across its tables, and when an answer is correct
-UNITS = {
-    EVALUATION: ("point", "点", "degree", "it keeps its bound"),
-    "derivative": ("derivative", "导数", "degree", f"it keeps its bound {OR_HALF}"),
-    "arc_length": ("length", "弧长", "tolerance", "it keeps the tolerance, promised or not"),
-    "inverse_arc_length": ("parameter", "参数", "tolerance", "the length up to it keeps the tolerance, promised or not"),
-    "projection": ("foot point", "最近点", "degree", "it is not missed"),
-    "interpolation": ("spline", "样条", "points", f"every condition is met within its bound {OR_HALF}"),
-    "subdivision": ("split", "分割", "degree", f"every control point keeps its bound {OR_HALF}"),
-    "grid": ("grid", "网格", "points", "every point keeps its bound"),
-    "bspline": ("point", "样条点", "degree", f"the point, and every intermediate control point, keeps its bound {OR_HALF}"),
-    "fitting": ("fit", "拟合", "tolerance", "it keeps the tolerance and stays near the polyline of the data"),
-}
 # columns in which the lines of a method may differ, and their values in words
 APART = {"mode": str, "degree": lambda v: f"degree {shortest(v)}", "order": lambda v: f"order {shortest(v)}",
          "tolerance": lambda v: f"to {shortest(v)}", "data": str, "points": lambda v: f"{shortest(v)} points",
@@ -50,7 +36,7 @@ def times(bundle, problem):
 def time_tables(bundle, problem):
     """One table per study, scalar type and dimension: medians with their intervals, and where the bundle has limits how near the times are to
     them. The axis of the problem runs across, everything else that varies is named at the lines."""
-    unit, chinese, axis, _ = UNITS[problem]
+    unit, chinese, axis = (schema.timed()[problem][key] for key in ("unit", "unit_zh", "across"))
     for study, of_study in grouped(times(bundle, problem), "study").items():
         kinds = grouped(of_study, "scalar", "dimension").values()
         for number, rows in enumerate(kinds, 1):
@@ -86,10 +72,10 @@ def reading_times(bundle, problem):
                 "(`allowed_error_u`), or has half of its digits where there is no such study"
                 if "allowed_error_u" in bundle["timing.csv"].columns else "or, where none is proved, a lenient one")
     return Text(
-        ("" if problem == EVALUATION else f"A time is that of one {UNITS[problem][0]}, computed from the control points or the data, all preparation "
+        ("" if problem == EVALUATION else f"A time is that of one {schema.timed()[problem]['unit']}, computed from the control points or the data, all preparation "
          "included. ")
         + "The interval in brackets, `low_ns` to `high_ns` of the file, covers the variation of the median from one race to another of the same "
-        f"methods, spread over the run. Every timed output was checked against a judged one first: it is correct where {UNITS[problem][3]}"
+        f"methods, spread over the run. Every timed output was checked against a judged one first: it is correct where {schema.timed()[problem]['right']}"
         + (f" {unproved}" if problem == EVALUATION else "")
         + (f"; **✗ marks times of {listing(f'`{m}`' for m in wrong)} whose output was incorrect or was not the judged one.**" if wrong else ".")
         + (" A time marked ~ comes from a race during which the speed of fixed work changed by more than 2 %: ratios within a race are reliable, "

@@ -63,6 +63,17 @@ TEST(AtomicFile, NewFileGetsTheUsersUsualMode) {
   EXPECT_EQ(fs::status(folder.path() / "a").permissions(), fs::perms(0644));
 }
 
+TEST(AtomicFile, ReplacementIsANewFileSoThatAnOpenReaderKeepsTheOldOne) {
+  const ScratchFolder folder;
+  const fs::path path = folder.path() / "a";
+  write_file(path, "old");
+  std::ifstream reader(path);
+  write_file(path, "new");
+  std::string word;
+  reader >> word;
+  EXPECT_EQ(word, "old");
+}
+
 TEST(AtomicFile, FullDeviceIsReportedInOneLine) {
   EXPECT_EQ(line_of([] { write_file("/dev/full", "x"); }),
             "/dev/full: cannot be written: No space left on device; free space or choose another --out");
@@ -155,6 +166,47 @@ TEST(AtomicFile, ThreadsDoNotShareTemporaryFiles) {
   const std::string bytes = read_file(path);
   EXPECT_EQ(bytes, std::string(50'000, bytes.at(0)));
   EXPECT_EQ(folder.names(), std::set<std::string>{"a"});
+}
+
+void do_nothing(int) {}
+
+// A pipe that nobody empties for a while: writes are short, and a signal without SA_RESTART interrupts them.
+TEST(AtomicFile, SurvivesSignalsAndShortWrites) {
+  const ScratchFolder folder;
+  const fs::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  struct sigaction action {};
+  action.sa_handler = do_nothing;
+  struct sigaction before {};
+  ASSERT_EQ(sigaction(SIGUSR1, &action, &before), 0);
+  const std::string bytes(500'000, 'p');
+  std::string failure;
+  std::thread writer([&] {
+    try {
+      write_file(pipe, bytes);
+    } catch (const Failure& caught) {
+      failure = caught.what();
+      int end = -1;
+      while (end == -1) end = open(pipe.c_str(), O_WRONLY);  // lets the reader below come to an end
+      close(end);
+    }
+  });
+  for (int i = 0; i < 20; ++i) {
+    usleep(500);
+    pthread_kill(writer.native_handle(), SIGUSR1);
+  }
+  std::ifstream reader(pipe, std::ios::binary);
+  for (int i = 0; i < 20; ++i) {
+    usleep(500);
+    pthread_kill(writer.native_handle(), SIGUSR1);
+  }
+  std::string got(bytes.size() + 1, ' ');
+  reader.read(got.data(), static_cast<std::streamsize>(got.size()));
+  got.resize(static_cast<std::size_t>(reader.gcount()));
+  writer.join();
+  sigaction(SIGUSR1, &before, nullptr);
+  EXPECT_EQ(failure, "");
+  EXPECT_TRUE(got == bytes);
 }
 
 TEST(AtomicFile, UnreadableIsReported) {

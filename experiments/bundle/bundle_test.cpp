@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
@@ -28,7 +29,9 @@ namespace bezierbench::bundle {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::Contains;
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -190,6 +193,14 @@ TEST(Bundle, LocksMayComeWhileBlocksAreRemoved) {
   for (int round = 0; round < 1000; ++round) EXPECT_NO_THROW(bundle.clear_away());
   done = true;
   for (auto& shard : shards) shard.join();
+}
+
+TEST(Bundle, LocksAreRegularFiles) {
+  const ScratchFolder folder;
+  fs::create_symlink("away", folder.path() / "link");
+  ASSERT_EQ(mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+  for (const char* name : {"link", "pipe"}) EXPECT_THROW(LockFile(folder.path() / name), Failure) << name;
+  EXPECT_FALSE(fs::exists(folder.path() / "away"));
 }
 
 // Where SHA256SUMS cannot be written, the old `complete` must not remain, nor a new one appear.

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "experiments/number/bytes.hpp"
+
 namespace bezierbench::metric {
 namespace {
 
@@ -36,6 +38,13 @@ Outer trial_fields(std::uint64_t trial, double error, std::uint64_t steps) {
   one.inner.count = 1;
   one.inner.largest.add(error);
   return one;
+}
+
+template <class T>
+std::string bytes_of(const T& value) {
+  number::ByteWriter bytes;
+  bytes(value);
+  return bytes.bytes();
 }
 
 TEST(MergeFields, TakesEveryFieldByItsKind) {

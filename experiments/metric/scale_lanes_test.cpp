@@ -62,7 +62,7 @@ TEST_P(ScaleLanesOf, HasTheBitsOfTrialScale) {
       reference::TrialScale alone;
       alone.set(curve, t[k]);
       reference::TrialScale in_group;
-      in_group.set(curve, t[k], group, k);
+      in_group.set(curve, t[k], group.largest(k), group.amplified(k));
       for (const Amplification kind : kinds) {
         const ErrorBound bound{.text = "",
                                .amplification = kind,

@@ -43,23 +43,24 @@ TEST(Words, UniformHasTheHighWordFirst) {
   EXPECT_EQ(u.low, same.next());
 }
 
-using Exact = boost::multiprecision::cpp_int;
+using Integer = boost::multiprecision::cpp_int;
 
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double tiny = std::numeric_limits<double>::denorm_min();
 constexpr std::uint64_t ones = ~std::uint64_t{0};
 
-Whole exact(double x) {
+Integer exact(double x) {
   int exponent = 0;
   const double fraction = std::frexp(x, &exponent);  // x = fraction 2^exponent
-  const Whole digits = static_cast<std::int64_t>(std::ldexp(fraction, 53));
+  const Integer digits = static_cast<std::int64_t>(std::ldexp(fraction, 53));
   const int shift = exponent - 53 + 1204;
-  return shift >= 0 ? Whole(digits << shift) : Whole(digits / (Whole(1) << -shift));  // exact: shift < 0 for 0 only
+  return shift >= 0 ? Integer(digits << shift)
+                    : Integer(digits / (Integer(1) << -shift));  // exact: shift < 0 for 0 only
 }
 
-Whole exact_image(double a, double b, Uniform128 u) {
-  const Whole k = 2 * ((Whole(u.high) << 64) + u.low) + 1;
-  return exact(a) * (Whole(1) << 129) + (exact(b) - exact(a)) * k;  // in units of 2^-1333
+Integer exact_image(double a, double b, Uniform128 u) {
+  const Integer k = 2 * ((Integer(u.high) << 64) + u.low) + 1;
+  return exact(a) * (Integer(1) << 129) + (exact(b) - exact(a)) * k;  // in units of 2^-1333
 }
 
 /// Expects the double nearest to the image, and the even one where two are equally near.
@@ -67,16 +68,16 @@ void expect_rounded(double a, double b, Uniform128 u) {
   SCOPED_TRACE(::testing::Message() << std::hexfloat << a << " " << b << " " << std::hex << u.high << " " << u.low);
   const double got = affine(a, b, u);
   ASSERT_TRUE(got >= a && got <= b) << got;
-  const Whole image = exact_image(a, b, u);
-  const Whole difference = image - (exact(got) << 129);
+  const Integer image = exact_image(a, b, u);
+  const Integer difference = image - (exact(got) << 129);
   if (difference == 0) {
     EXPECT_TRUE(got != 0 || !std::signbit(got));
     return;
   }
   const bool up = difference > 0;
   const double neighbour = std::nextafter(got, up ? largest : -largest);
-  const Whole gap = abs(exact(neighbour) - exact(got)) << 129;
-  const Whole twice = 2 * abs(difference);
+  const Integer gap = abs(exact(neighbour) - exact(got)) << 129;
+  const Integer twice = 2 * abs(difference);
   EXPECT_LE(twice, gap);
   if (twice == gap) {
     EXPECT_EQ(std::bit_cast<std::uint64_t>(got) & 1U, 0U);
@@ -134,10 +135,10 @@ TEST(Affine, SurvivesCancellation) {
     for (int i = 0; i < 20; ++i) {
       const double a = -(1 + 0x1p-52 * static_cast<double>(random() >> 12U));
       const double b = std::ldexp(i % 4 == 0 ? -a : 1 + 0x1p-52 * static_cast<double>(random() >> 12U), apart);
-      const Whole root = (-exact(a) << 129) / (exact(b) - exact(a)) / 2;  // the U whose image is nearest zero
+      const Integer root = (-exact(a) << 129) / (exact(b) - exact(a)) / 2;  // the U whose image is nearest zero
       for (int step = -2; step <= 2; ++step) {
-        const Whole u = root + step;
-        if (u < 0 || u >= (Whole(1) << 128)) continue;
+        const Integer u = root + step;
+        if (u < 0 || u >= (Integer(1) << 128)) continue;
         const Uniform128 near{static_cast<std::uint64_t>(u >> 64), static_cast<std::uint64_t>(u & ones)};
         expect_rounded(a, b, near);
         // By symmetry, the same with the large term on the other side.
@@ -146,6 +147,44 @@ TEST(Affine, SurvivesCancellation) {
       if (HasFailure()) return;
     }
   }
+}
+
+TEST(Affine, TiesGoToEven) {
+  const double b = 0x1p129;                                      // the image is 2U + 1
+  EXPECT_EQ(affine(0, b, {0, 1ULL << 52U}), 0x1p53);             // 2^53 + 1
+  EXPECT_EQ(affine(0, b, {0, (1ULL << 52U) + 1U}), 0x1p53 + 4);  // 2^53 + 3
+  EXPECT_EQ(affine(-b, 0, {ones, ~(1ULL << 52U)}), -0x1p53);     // -(2^53 + 1)
+  EXPECT_EQ(affine(0, 0x1p-946, {0, 0}), 0);                     // half the smallest double
+  EXPECT_EQ(affine(0, 0x1p-946, {0, 1}), 2 * tiny);              // one and a half
+  EXPECT_TRUE(std::signbit(affine(-0x1p-946, 0, {ones, ones})));
+}
+
+/// A term that is far smaller than half an ulp breaks a tie.
+TEST(Affine, ATieIsBrokenByTheFarTerm) {
+  const double b = 0x1p129;
+  for (int exponent = 20; exponent >= -1074; --exponent) {
+    for (const double a : {std::ldexp(1.0, exponent), std::ldexp(-1.0, exponent)}) {
+      for (const std::uint64_t low : {1ULL << 52U, (1ULL << 52U) + 1U}) {
+        expect_rounded(a, b, {0, low});
+        expect_rounded(-b, -a, {ones, ~low});
+      }
+    }
+    if (HasFailure()) return;
+  }
+  EXPECT_EQ(affine(tiny, b, {0, 1ULL << 52U}), 0x1p53 + 2);
+  EXPECT_EQ(affine(-tiny, b, {0, (1ULL << 52U) + 1U}), 0x1p53 + 2);
+}
+
+TEST(Affine, IsTheEndPointOfAnEmptyInterval) {
+  for (const double x : {0.25, -1e300, tiny, 0.0}) EXPECT_EQ(affine(x, x, {123, 456}), x);
+  EXPECT_FALSE(std::signbit(affine(-0.0, 0.0, {1, 2})));
+  EXPECT_FALSE(std::signbit(affine(-0.0, -0.0, {1, 2})));
+}
+
+TEST(Affine, HasAFullMantissaNearZero) {
+  EXPECT_EQ(affine(0, 1, {0, 0}), 0x1p-129);
+  EXPECT_EQ(affine(-1, 1, {ones >> 1U, ones}), -0x1p-128);
+  EXPECT_EQ(affine(-1, 1, {1ULL << 63U, 0}), 0x1p-128);
 }
 
 }  // namespace

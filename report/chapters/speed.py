@@ -2,12 +2,13 @@
 """Times of evaluators: every timed method, times against errors, kernels against the peak, other libraries."""
 
 from ..answer import USELESS, lost, useful
+from .. import schema
 from ..bundle import Missing
 from ..document import Cell, Text
 from ..methods import form
 from ..rows import distinct, grouped
 from ..tables import by_axis, one
-from ..time_tables import EVALUATION, UNITS, nearness, reading_limits, reading_load, reading_times, share_of_limit, time_tables, times, where
+from ..time_tables import EVALUATION, nearness, reading_limits, reading_load, reading_times, share_of_limit, time_tables, times, where
 from ..wording import count, general, interval, large, listing, percent, shortest, span
 from .parts import chapter, figure, of_suite, study_figure, tables_of
 
@@ -31,7 +32,7 @@ def timing(bundle, _findings):
 def _any_times(bundle, study):
     """Medians with their intervals, whatever problem was timed."""
     part = bundle.only({study})
-    for problem in UNITS:
+    for problem in schema.timed():
         if times(part, problem):
             yield from time_tables(part, problem)
             yield reading_times(part, problem)

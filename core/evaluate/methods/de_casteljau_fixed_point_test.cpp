@@ -8,8 +8,11 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <new>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "core/evaluate/kernel/kernel.hpp"
@@ -87,6 +90,20 @@ TEST(DeCasteljauFixedPoint, StaysAtTheNearerEndOutside) {
   EXPECT_EQ(point({1, 2, 5}, 1.5), 5);
 }
 
+/// The state has room for the largest degree; writing all of it takes longer than the rest of the work for a cubic.
+TEST(DeCasteljauFixedPoint, PreparesWhatTheDegreeNeedsOnly) {
+  const auto& kernel = *find_kernel<double>(DeCasteljauFixedPoint::info.id, Form::bernstein, 3);
+  ASSERT_GT(kernel.prepared_size, 3 * max_degree * sizeof(double));
+  constexpr unsigned char untouched = 0xA5;
+  void* state = ::operator new(kernel.prepared_size, std::align_val_t(kernel.prepared_alignment));
+  std::memset(state, untouched, kernel.prepared_size);
+  const std::vector<double> cubic{0, 1, 2, 3, 5, 8, 13, 21, 34, 55, 89, 144};
+  kernel.prepare({Form::bernstein, 3, 3, cubic}, state);
+  const std::span bytes(static_cast<const unsigned char*>(state), kernel.prepared_size);
+  EXPECT_LT(bytes.size() - static_cast<std::size_t>(std::ranges::count(bytes, untouched)), 512U);
+  ::operator delete(state, std::align_val_t(kernel.prepared_alignment));
+}
+
 template <class Scalar>
 void expect_the_open_interval() {
   using Limits = std::numeric_limits<Scalar>;
@@ -101,6 +118,56 @@ void expect_the_open_interval() {
 TEST(InsideUnitInterval, IsDecidedByBits) {
   expect_the_open_interval<double>();
   expect_the_open_interval<float>();
+}
+
+// Cheaper steps on the numbers as they are, each bounded by its two ends. Every input is one that a search found.
+
+using Step = double (*)(double a, double b, double t);
+
+double triangle(Step step, std::vector<double> b, double t) {
+  for (std::size_t count = b.size() - 1; count > 0; --count)
+    for (std::size_t i = 0; i < count; ++i) b[i] = step(b[i], b[i + 1], t);
+  return b[0];
+}
+double bounded(double x, double a, double b) { return std::clamp(x, std::min(a, b), std::max(a, b)); }
+
+double convex(double a, double b, double t) { return bounded((1 - t) * a + t * b, a, b); }
+double convex_fused(double a, double b, double t) { return bounded(std::fma(t, b, (1 - t) * a), a, b); }
+double one_sided(double a, double b, double t) { return bounded(std::fma(t, b - a, a), a, b); }
+double standard(double a, double b, double t) { return std::lerp(a, b, t); }
+double two_sided(double a, double b, double t) {
+  if (t == 0.5) return a / 2 + b / 2;
+  return bounded(t < 0.5 ? std::fma(t, b - a, a) : std::fma(1 - t, a - b, b), a, b);
+}
+
+/// Whether ascending points give a fall from t to the next number; `fixed point` does not.
+bool falls(Step step, const std::vector<double>& points, double t) {
+  const double next = std::nextafter(t, 1.0);
+  EXPECT_TRUE(std::ranges::is_sorted(points));
+  EXPECT_LE(point(points, t), point(points, next));
+  return triangle(step, points, t) > triangle(step, points, next);
+}
+
+/// Whether the reversed points give another value at 1-t, which is exact; `fixed point` does not.
+bool differs_backwards(Step step, const std::vector<double>& points, double t) {
+  const std::vector<double> backwards(points.rbegin(), points.rend());
+  EXPECT_EQ(1 - (1 - t), t);
+  EXPECT_EQ(point(points, t), point(backwards, 1 - t));
+  return triangle(step, points, t) != triangle(step, backwards, 1 - t);
+}
+
+TEST(CheaperSteps, AreNotMonotone) {
+  EXPECT_TRUE(falls(convex, {-1, -0.25}, 0x1.e5f85b7a988p-11));
+  EXPECT_TRUE(falls(convex_fused, {-0.375, -0.0625}, 0x1.1acc46993bp-11));
+  EXPECT_TRUE(falls(one_sided, {0, 0.125, 3.5}, 0x1.e03b5cb008bap-4));
+  EXPECT_TRUE(falls(standard, {0, 0.25, 1}, 0x1.f74805b779af2p-1));
+  EXPECT_TRUE(falls(two_sided, {-0.25, 0.5, 2}, 0x1.fffffffffffe8p-2));
+}
+
+TEST(CheaperSteps, ChangeWithTheDirection) {
+  EXPECT_TRUE(differs_backwards(convex_fused, {-0.375, -0.125}, 0x1.99b97ed4c6p-14));
+  EXPECT_TRUE(differs_backwards(one_sided, {-0x1.3bc0fdc45p-26, 2}, 0.375));
+  EXPECT_TRUE(differs_backwards(standard, {-0.25, -7}, 0x1.311046c1p-17));
 }
 
 }  // namespace

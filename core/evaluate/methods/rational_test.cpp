@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/evaluate/evaluation_test.hpp"
 #include "reference/error/trial_scale.hpp"
@@ -28,7 +30,9 @@ class RationalMethod : public testing::TestWithParam<std::size_t> {
   [[nodiscard]] const Kernel<float>& float_kernel() const { return *rational_kernels<float>(2)[GetParam()]; }
 };
 
-class BoundedRationalMethod : public RationalMethod {};  ///< states a bound
+// Tests of what some methods state only: each runs for those.
+class BoundedRationalMethod : public RationalMethod {};      ///< states a bound
+class RationalMethodOfBothForms : public RationalMethod {};  ///< and is there for polynomial curves, too
 
 /// Positive weights over `binades` powers of two.
 std::vector<double> positive_weights(Inputs& inputs, int degree, int binades) {
@@ -201,6 +205,63 @@ TEST_P(BoundedRationalMethod, InterpolatesEndPoints) {
   }
 }
 
+/// What rounding may change between two evaluations of curves in [-1, 1] with mild weights and low degree.
+double tolerance(int degree) { return 256 * 0x1p-53 * std::pow(3, degree); }
+
+/// A method without a bound in p~ may err in proportion to the largest weight, as barycentric forms do.
+double allowance(const MethodInfo& info, int degree, const std::vector<double>& weights, double t) {
+  if (info.bound) return 1;
+  reference::ExactCurve exact;
+  const auto& sum = exact.point({Form::bernstein, 1, degree, weights}, t);
+  return *std::ranges::max_element(weights) / reference::round_to(reference::binary64, sum.coordinate(0));
+}
+
+TEST_P(RationalMethod, ReproducesConstantsWhateverTheWeights) {
+  Inputs inputs(28);
+  for (const int degree : {0, 1, 3, 6}) {
+    const std::vector<double> c(static_cast<std::size_t>(degree) + 1, 0.7);
+    const auto w = positive_weights(inputs, degree, 120);
+    for (const double t : some_parameters(inputs))
+      EXPECT_NEAR(evaluate<double>(kernel(1), {Form::rational, 1, degree, c, w}, {t})[0], 0.7,
+                  tolerance(degree) * allowance(*kernel().info, degree, w, t));
+  }
+}
+
+TEST_P(RationalMethod, ReversesWithItsPointsAndWeights) {
+  Inputs inputs(29);
+  for (const int degree : {1, 2, 3, 6}) {
+    const auto c = inputs.coefficients(degree, 1);
+    const auto w = positive_weights(inputs, degree, 4);
+    const std::vector<double> c_reversed(c.rbegin(), c.rend());
+    const std::vector<double> w_reversed(w.rbegin(), w.rend());
+    for (const double t : {0.0, 0.125, 0.5, 0.8125})  // 1 - t is exact
+      EXPECT_NEAR(evaluate<double>(kernel(1), {Form::rational, 1, degree, c, w}, {t})[0],
+                  evaluate<double>(kernel(1), {Form::rational, 1, degree, c_reversed, w_reversed}, {1 - t})[0],
+                  tolerance(degree));
+  }
+}
+
+/// An affine map of the points is one of the curve, whatever the weights.
+TEST_P(RationalMethod, IsAffinelyInvariantWithWildWeights) {
+  Inputs inputs(30);
+  for (const int degree : {1, 2, 5}) {
+    const auto c = inputs.coefficients(degree, 2);
+    const auto w = positive_weights(inputs, degree, 60);
+    std::vector<double> image(c.size());
+    for (std::size_t k = 0; k < c.size(); k += 2) {
+      image[k] = 2 * c[k] - c[k + 1] + 1;
+      image[k + 1] = 0.5 * c[k] + c[k + 1] - 1;
+    }
+    for (const double t : some_parameters(inputs)) {
+      const auto p = evaluate<double>(kernel(), {Form::rational, 2, degree, c, w}, {t});
+      const auto q = evaluate<double>(kernel(), {Form::rational, 2, degree, image, w}, {t});
+      const double rounding = 4 * tolerance(degree) * allowance(*kernel().info, degree, w, t);
+      EXPECT_NEAR(q[0], 2 * p[0] - p[1] + 1, rounding);
+      EXPECT_NEAR(q[1], 0.5 * p[0] + p[1] - 1, rounding);
+    }
+  }
+}
+
 /// The quarter circle ((1-t^2)/(1+t^2), 2t/(1+t^2)): [Farin 2002] (conics), control
 /// points (1,0) (1,1) (0,1) with weights 1, 1, 2; at 1/2 the Pythagorean 3-4-5, at 1/4 8-15-17, at 3/4 7-24-25.
 TEST_P(RationalMethod, RunsAroundTheCircle) {
@@ -226,8 +287,13 @@ std::string name_of(const testing::TestParamInfo<std::size_t>& parameter) {
 
 bool is_any(const MethodInfo& /*info*/) { return true; }
 bool is_bounded(const MethodInfo& info) { return info.bound.has_value(); }
+bool is_of_both_forms(const MethodInfo& info) {
+  return is_bounded(info) && find_kernel<double>(info.id, Form::bernstein, 2) != nullptr;
+}
+
 INSTANTIATE_TEST_SUITE_P(Roster, RationalMethod, rational_methods_that(is_any), name_of);
 INSTANTIATE_TEST_SUITE_P(Roster, BoundedRationalMethod, rational_methods_that(is_bounded), name_of);
+INSTANTIATE_TEST_SUITE_P(Roster, RationalMethodOfBothForms, rational_methods_that(is_of_both_forms), name_of);
 
 }  // namespace
 }  // namespace bezierbench

@@ -180,6 +180,9 @@ class Curves(Case):
             self.assertEqual((float(row["value"]), float(row["exact"])), (truth[row["index"], row["axis"]],) * 2)
             self.assertEqual(float(row["t"]), int(row["index"]) / 2)
         self.assertEqual(len({row["method"] for row in found}) * 6, len(found))
+        self.write("m.csv", "x,y\n-1,-1\n-3,-1\n-4,-2\n-6,-3\n")  # p~ has no sign, and neither has a bound in its units
+        self.assertEqual([row["bound_u"] for row in rows(self.fine("curve", "grid", "--curve", "m.csv", "--points", "3"))],
+                         [row["bound_u"] for row in found])
         self.write("r.csv", "x,w\n0,1\n1,2\n")
         for arguments, *needles in [(["w.csv", "--points", "4"], "--points 4", "power of two and one"), (["w.csv"], "--points"),
                                     (["r.csv", "--points", "3"], "r.csv", "column w")]:
@@ -503,7 +506,7 @@ class Curves(Case):
         for arguments, *needles in [
                 (["--parameters", "arc"], "--parameters"), (["--ends", "free"], "--ends"), (["--ends", "clamped"], "--start-derivative"),
                 (["--ends", "clamped", "--start-derivative", "1,1"], "--end-derivative"), (["--start-derivative", "1,1"], "--ends"),
-                (["--ends", "clamped", "--start-derivative", "1", "--end-derivative", "1,1"], "--start-derivative 1", "2 axes"),
+                (["--ends", "clamped", "--start-derivative", "1", "--end-derivative", "1,1"], "--start-derivative 1", "the points have 2"),
                 (["--ends", "clamped", "--start-derivative", "1,nan", "--end-derivative", "1,1"], "--start-derivative"),
                 (["--closed", "--ends", "not-a-knot"], "no ends"), (["--method", "c2_natural", "--closed"], "--method c2_natural"),
                 (["--method", "c2_natural", "--parameters", "chord"], "uniform parameters")]:

@@ -41,9 +41,10 @@ void Grid::add_rows(const CurveCase<GridKernel>& one, CurveTable& table) const {
     for (int k = 0; k <= steps; ++k) {
       const double t = static_cast<double>(k) / steps;
       const auto at = metric::bound_at(*method->bound, curve.degree, k, steps, reference::double_arithmetic);
+      const reference::ExactPoint truth = exact.point(curve, t);  // a copy: p_tilde() overwrites it
       table.add_point({std::string(method->info->id), std::to_string(k), number::decimal(t)},
-                      std::span(computed).subspan(static_cast<std::size_t>(k) * d, d), exact.point(curve, t),
-                      exact.p_tilde(curve, t), [&](int axis) {
+                      std::span(computed).subspan(static_cast<std::size_t>(k) * d, d), truth, exact.p_tilde(curve, t),
+                      [&](int axis) {
                         scale.set(axes[static_cast<std::size_t>(axis)].view(), t);
                         return scale.bound(at, reference::double_arithmetic);
                       });

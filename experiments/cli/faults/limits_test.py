@@ -35,7 +35,6 @@ class Limits(Case):
                 ([*run, "--set", "coordinate_range=1e-999"], USAGE, "coordinate_range=1e-999"),
                 ([*run, "--checkpoint", "1e-999"], USAGE, "--checkpoint 1e-999"),
                 ([*run, "--checkpoint", "nan"], USAGE, "--checkpoint nan"),
-                (["run", self.suite(coordinate_range="[1e-999]", name="small.toml"), "--out", "b"], USAGE, "small.toml:11:"),
                 (["run", self.suite(coordinate_range='["1e-999"]', name="text.toml"), "--out", "b"], USAGE, "text.toml:11:")]:
             with self.subTest(arguments=arguments):
                 self.assert_short_line(self.refused(code, arguments, needle))

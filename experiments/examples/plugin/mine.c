@@ -31,14 +31,7 @@ static void evaluate(const void* prepared, const double* t, size_t count, double
     }
 }
 
-static const struct bezierbench_method mine = {BEZIERBENCH_PLUGIN_VERSION,
-                                               "plugin_mine",
-                                               "My de Casteljau",
-                                               BEZIERBENCH_BERNSTEIN,
-                                               0,
-                                               1023,
-                                               prepare,
-                                               evaluate,
-                                               free};
+static const struct bezierbench_method mine = {BEZIERBENCH_PLUGIN_VERSION, "plugin_mine", "My de Casteljau",
+                                               BEZIERBENCH_BERNSTEIN, 0, 1023, prepare, evaluate, free};
 
 const struct bezierbench_method* bezierbench_plugin(void) { return &mine; }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/interpolate/kernel.hpp"
+#include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/studies/interpolation/problem.hpp"
 #include "experiments/studies/roster.hpp"

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/sample/placement.hpp"
 #include "experiments/studies/projection/problem.hpp"

@@ -65,6 +65,18 @@ TEST(SubdivisionStudy, BoundsAndPromisesHold) {
   }
 }
 
+/// The halves at t = 1/2 of a line between integer points have coordinates that are multiples of 1/2.
+TEST(SubdivisionStudy, IsExactWhereNothingIsRounded) {
+  auto study = small_subdivision_study();
+  study.degree = {1};
+  study.coordinate_range = {1000};
+  study.generator = {"integer"};
+  study.t_interval = {{0.5, 0.5}};
+  const auto csv = subdivision_rows_of(study);
+  ASSERT_EQ(csv.row_count(), 5U);
+  for (std::size_t row = 0; row < csv.row_count(); ++row) EXPECT_EQ(csv.at(row, "max_error"), "0");
+}
+
 /// Bounds are proved for t in [0,1] only.
 TEST(SubdivisionStudy, HasNoBoundOutside) {
   auto study = small_subdivision_study();

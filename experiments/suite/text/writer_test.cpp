@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/suite/text/writer.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdint>
+#include <random>
+#include <set>
 
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/text/reader.hpp"
@@ -135,21 +140,6 @@ TEST(Writer, ReportSuiteReadsBack) {
   expect_equal(suites, read_back(suites));
 }
 
-TEST(Writer, AwkwardTextsAndNumbersReadBack) {
-  Study study;
-  study.id = "a";
-  study.title = "quote \" backslash \\ tab \t new\nline \x7f \u00e9 [x] # no = comment";
-  study.kind = &studies::accuracy_kind.asks;
-  study.degree = {2, 1023};
-  study.coordinate_range = {0, 5e-324, 0x1p63, 0x1p70, 0x1p1020};
-  study.t_interval = {{-0.1, 0x1p53}};
-  study.trials = 1'000'000'007;
-  const std::vector<Suite> suites{{"s", "T", (std::uint64_t{1} << 63U) - 1, {study}}};
-  const auto back = read_back(suites);
-  expect_equal(suites, back);
-  EXPECT_EQ(back[0].studies[0].title, study.title);
-}
-
 TEST(Writer, OneSuiteIsWrittenAsPeopleWriteIt) {
   Study study;
   study.id = "a";
@@ -162,6 +152,13 @@ TEST(Writer, OneSuiteIsWrittenAsPeopleWriteIt) {
             "kind = \"accuracy\"\ncurve = \"bernstein\"\ndimension = [2]\ndegree = [4]\n"
             "coordinate_range = [1e+06]\nt_interval = [[0, 1]]\ngenerator = [\"continuous\"]\nscalar = [\"double\"]\n"
             "trials = 1000\nreplicates = 1\nbaseline = [\"exact\"]\n");
+}
+
+TEST(Writer, SeveralSuitesAreNoSingleOne) {
+  const auto several = Random(3).study("a");
+  const std::vector<Suite> suites{{"s", "", 1, {several}}, {"r", "", 1, {Random(4).study("b")}}};
+  EXPECT_THAT(failure_of([&] { parse_suite(to_toml(suites), "x.toml", test_vocabulary()); }),
+              ::testing::StartsWith("x.toml: one suite is expected"));
 }
 
 }  // namespace
