@@ -2,6 +2,7 @@
 """The Python package against rational arithmetic, and a bundle against its files."""
 import csv
 import decimal
+import hashlib
 import json
 import math
 import os

@@ -46,7 +46,10 @@ std::optional<double> number_of(const std::string& text) {
 
 bool has_type(const std::string& text, const Json& type) {
   if (type == "null") return text.empty();
-  if (type == "integer") return is_whole(text);
+  if (type == "integer") {
+    const auto number = number_of(text);  // 100000 may be written as 1e+05
+    return number && std::trunc(*number) == *number;
+  }
   if (type == "number") return number_of(text).has_value();
   return type == "string";
 }
