@@ -86,7 +86,7 @@ std::vector<const MethodInfo*> companion_infos() {
   std::vector<const MethodInfo*> all;
   for (const auto* one : roster)
     if (one->methods != nullptr) std::ranges::copy(one->methods(), std::back_inserter(all));
-  std::ranges::stable_partition(all, [](const MethodInfo* info) { return !suite::is_peer(info->id); });
+  std::stable_partition(all.begin(), all.end(), [](const MethodInfo* info) { return !suite::is_peer(info->id); });
   return all;
 }
 
