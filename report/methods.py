@@ -24,7 +24,7 @@ STATISTIC = {
     "max_error": ("largest error", "最大误差"),
     "total_time": ("time", "用时"),
 }
-# The word for a form in the ids of studies, which keep those of the source report.
+# The ids of studies call the forms by the words of the source report.
 IN_STUDIES = dict(bernstein="bezier", power="polynomial", rational="rational")
 FORM = {"bernstein": ("Bézier curves", "贝塞尔曲线"), "power": ("polynomial curves", "多项式曲线"),
         "rational": ("rational curves", "有理曲线")}

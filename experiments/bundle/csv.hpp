@@ -23,7 +23,8 @@ class CsvTable {
 
   [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
 
-  /// Header and rows in the order added, quoted only where required, every line ended by \n.
+  /// The header and the rows in the order in which they were added. Fields are quoted only where required, and every
+  /// line ends with \n.
   [[nodiscard]] std::string text() const;
 
  private:

@@ -174,15 +174,15 @@ SentinelTimes median_sentinels(const std::vector<RivalTimes>& times);
 
 /// The fastest repetition of each sentinel; infinite without repetitions.
 SentinelTimes fastest_sentinels(const std::vector<RivalTimes>& times);
-/// The same over all races.
+/// The fastest repetition of each sentinel over all races.
 SentinelTimes fastest_sentinels(const std::vector<Race>& races);
 
-/// Whether a sentinel's median over repetitions is slower than `fastest`, its fastest of the study, by more than is
-/// tolerated.
+/// Whether the median of a sentinel over the repetitions exceeds `fastest`, its fastest time in the study, by more than
+/// the tolerance.
 bool drifted(const std::vector<RivalTimes>& times, const SentinelTimes& fastest);
 
-/// Whether the repetitions of one method disagree: the slowest quarter of them takes longer than the fastest by more
-/// than is tolerated. Then the median depends more on disturbances and on where memory lies than on the method.
+/// Whether the repetitions of one method disagree: its upper quartile exceeds its fastest repetition by more than the
+/// tolerance. The median of such times depends more on disturbances and on the placement of memory than on the method.
 bool repetitions_disagree(const RivalTimes& times);
 
 /// The method id that a study names as its baseline; empty where it names none.

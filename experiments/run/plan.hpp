@@ -69,8 +69,8 @@ Outcome outcome_of(const Jobs& jobs, const tables::Tables& tables);
 /// The contents that `verify` expects in a bundle of the request, by the jobs of its plan.
 [[nodiscard]] bundle::Expected expected_of(const RunRequest& request, const Plan& plan);
 
-/// The same for a bundle of another build: without methods of other libraries that this build does not have. Of a study that it
-/// cannot plan without them no table is expected.
+/// The contents that `verify` expects in a bundle that another build may have written. Methods of other libraries that
+/// are absent from this build are left out, and so is every table of a study that cannot be planned without them.
 [[nodiscard]] bundle::Expected expected_of(const RunRequest& request);
 
 }  // namespace bezierbench::run
