@@ -224,7 +224,6 @@ void FloatValuesOf::decide_rest(std::span<const float> t, FloatValues& values) {
 }
 
 void FloatValuesOf::decide_exactly(double t, std::size_t place, FloatValues& values) {
-  ++left_by_pairs_;
   const Rational value = exact_.point(curve(), t).coordinate(0);
   const double nearest = round_to(binary32, value);
   constexpr long least = -126;

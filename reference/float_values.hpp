@@ -45,9 +45,8 @@ class FloatValuesOf {
   /// float_values_at_once.
   void find(std::span<const float> t, FloatValues& values);
 
-  /// Values so far that the doubles left undecided, and of these the ones that the pairs of doubles did.
+  /// The number of values so far that the doubles left undecided.
   [[nodiscard]] std::uint64_t left_by_doubles() const { return left_by_doubles_; }
-  [[nodiscard]] std::uint64_t left_by_pairs() const { return left_by_pairs_; }
 
  private:
   using Doubles = std::array<double, float_values_at_once>;
@@ -82,7 +81,6 @@ class FloatValuesOf {
   CertifiedPoints pairs_;
   ExactCurve exact_;
   std::uint64_t left_by_doubles_ = 0;
-  std::uint64_t left_by_pairs_ = 0;
 };
 
 }  // namespace bezierbench::reference

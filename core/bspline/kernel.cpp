@@ -55,6 +55,4 @@ std::span<const BsplineKernel> bspline_kernels(int dimension) {
   return kernels_of<BsplineKernel, MakeKernel>(BsplineMethods{}, dimension);
 }
 
-std::span<const MethodInfo* const> bspline_infos() { return infos_of(BsplineMethods{}); }
-
 }  // namespace bezierbench

@@ -37,7 +37,4 @@ inline int points_solved(const BsplineKernel& kernel, int degree) {
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const BsplineKernel> bspline_kernels(int dimension);
 
-/// The infos of all methods, in roster order.
-std::span<const MethodInfo* const> bspline_infos();
-
 }  // namespace bezierbench

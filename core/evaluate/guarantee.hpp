@@ -66,7 +66,7 @@ struct Guarantee {
 };
 
 /// What is proved of an evaluator of the roster: its `guarantees`. Empty for a method that states none, for converted
-/// paths and for methods from outside.
+/// paths and for external methods.
 std::span<const Guarantee> guarantees_of(const MethodInfo& info);
 
 /// Whether the property is proved of the method at this degree.

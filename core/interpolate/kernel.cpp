@@ -56,6 +56,4 @@ std::span<const InterpolationKernel> kernels_of(TypeList<Methods...> /*roster*/)
 
 std::span<const InterpolationKernel> interpolation_kernels() { return kernels_of(InterpolationMethods{}); }
 
-std::span<const MethodInfo* const> interpolation_infos() { return infos_of(InterpolationMethods{}); }
-
 }  // namespace bezierbench

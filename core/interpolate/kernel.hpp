@@ -24,7 +24,4 @@ struct InterpolationKernel {
 /// All methods, in roster order.
 std::span<const InterpolationKernel> interpolation_kernels();
 
-/// The infos of all methods, in roster order.
-std::span<const MethodInfo* const> interpolation_infos();
-
 }  // namespace bezierbench

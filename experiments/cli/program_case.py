@@ -20,9 +20,6 @@ IN_MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None  # where thou
 CODE = pathlib.Path(PROGRAM).read_bytes()
 # The thread sanitizer writes a file of its own before main.
 HAS_THREAD_SANITIZER = b"libtsan" in CODE
-# A sanitizer replaces malloc: it reserves terabytes of address space, and mallinfo counts nothing. Clang links its own
-# into the program.
-HAS_SANITIZER = HAS_THREAD_SANITIZER or b"libasan" in CODE or b"__asan_init" in CODE
 PATIENCE = 600  # seconds for a program to do what it should, on a busy machine, under a sanitizer: longer is a hang
 ADVICE = r"; |must|write|see|from|did you mean|is empty"
 

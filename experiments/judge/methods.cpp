@@ -16,6 +16,7 @@
 #include "experiments/suite/fault.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/pattern.hpp"
+#include "reference/exact_point.hpp"
 
 namespace bezierbench::judge {
 
@@ -26,7 +27,7 @@ template <class K>
 class Tables {
  public:
   Tables(std::span<const K> (*ours)(int), std::span<const K> (*peers::Peer::*theirs)(int)) {
-    for (int dimension = 1; dimension <= max_dimension; ++dimension) {
+    for (int dimension = 1; dimension <= reference::max_dimension; ++dimension) {
       auto& table = tables_[static_cast<std::size_t>(dimension - 1)];
       const auto append = [&](std::span<const K> kernels) {
         table.insert(table.end(), kernels.begin(), kernels.end());
@@ -36,12 +37,12 @@ class Tables {
     }
   }
   [[nodiscard]] std::span<const K> of(int dimension) const {
-    if (dimension < 1 || dimension > max_dimension) return {};
+    if (dimension < 1 || dimension > reference::max_dimension) return {};
     return tables_[static_cast<std::size_t>(dimension - 1)];
   }
 
  private:
-  std::array<std::vector<K>, max_dimension> tables_;
+  std::array<std::vector<K>, reference::max_dimension> tables_;
 };
 
 }  // namespace

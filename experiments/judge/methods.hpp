@@ -17,8 +17,6 @@
 
 namespace bezierbench::judge {
 
-inline constexpr int max_dimension = 3;
-
 /// Our own evaluators in roster order, then the peers, which exist in double only. Dimension is 1, 2 or 3.
 template <class Scalar>
 std::span<const Kernel<Scalar>> methods(int dimension);

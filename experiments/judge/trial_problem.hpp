@@ -14,6 +14,7 @@
 #include "experiments/judge/case_axes.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/sample/cell.hpp"
+#include "reference/exact_point.hpp"
 
 namespace bezierbench::judge {
 
@@ -29,7 +30,7 @@ struct TrialPart {
 /// `draw` overwrites `drawn`, which may hold another trial, with trial `number` and its truth. `ask` writes the answer
 /// of a method, and is what is timed; `tolerance` is 0 for a problem without one. `numbers` are the spans of doubles of
 /// an answer: the answers of a timed run must have the bits of those that were judged. `timed_trials` is the number of
-/// trials in a batch of the race. The kind of study (suite/kinds) says which inputs the problem takes.
+/// trials in a batch of the race. The kind of study (suite/kind.hpp) says which inputs the problem takes.
 template <class P>
 concept TrialProblem = std::constructible_from<P, const suite::Study&, std::uint64_t, const TrialPart&> &&
     std::default_initializable<typename P::Drawn> && std::copyable<typename P::Answer> &&
@@ -64,7 +65,7 @@ std::vector<double> tolerances_of(const suite::Study& study, const CaseAxes& axe
 template <TrialProblem P>
 std::vector<const MethodInfo*> infos() {
   std::vector<const MethodInfo*> all;
-  for (int dimension = 1; dimension <= max_dimension; ++dimension)
+  for (int dimension = 1; dimension <= reference::max_dimension; ++dimension)
     for (const auto& kernel : P::kernels(dimension))
       if (std::ranges::count(all, kernel.info) == 0) all.push_back(kernel.info);
   return all;

@@ -181,8 +181,9 @@ SentinelTimes fastest_sentinels(const std::vector<Race>& races);
 /// the tolerance.
 bool drifted(const std::vector<RivalTimes>& times, const SentinelTimes& fastest);
 
-/// Whether the repetitions of one method disagree: its upper quartile exceeds its fastest repetition by more than the
-/// tolerance. The median of such times depends more on disturbances and on the placement of memory than on the method.
+/// Whether the repetitions of one method disagree: the upper quartile of their times exceeds the lower one by more than
+/// the tolerance. The median of such times depends more on disturbances and on the placement of memory than on the
+/// method.
 bool repetitions_disagree(const RivalTimes& times);
 
 /// The method id that a study names as its baseline; empty where it names none.

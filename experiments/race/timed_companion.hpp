@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The timing of all companion problems: a race for each cell and case, whose trials are drawn once for all repetitions. Methods solve them one after the other, from the control points on, preparation included (mode
-// one_shot). Their answers are first judged against the truth and later compared with the judged bits.
+// The timing of all companion problems: a race for each cell and case, whose trials are drawn once for all repetitions.
+// Methods solve them one after the other, from the control points on, preparation included (mode one_shot). Their
+// answers are first judged against the truth and later compared with the judged bits.
 #pragma once
 
 #include <algorithm>

@@ -77,7 +77,7 @@ void add_external_jobs(const RunRequest& request, const suite::Study& study, con
   }
   if (names_some && plan.jobs.size() == before)
     suite::refuse(study, {"methods", static_cast<std::size_t>(named - study.methods.begin()), "kind",
-                          fmt::format("method \"{}\" is external and cannot be asked in this study, because of its "
+                          fmt::format("method \"{}\" is external and not available in this study, because of its "
                                       "kind, form or scalar; remove it",
                                       *named)});
 }

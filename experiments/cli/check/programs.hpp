@@ -53,7 +53,7 @@ struct TimedPrograms {
 
 /// Runs both programs `pairs` times, in turn, so that what changes on the machine affects both alike, and each pair of
 /// runs gives one ratio; in every second pair the other program goes first. A pair is one observation, as a repetition is
-/// in a race (experiments/race/repetition.hpp): every process has its own addresses of stack, heap and code, which may
+/// in a race (experiments/race/race.hpp): every process has its own addresses of stack, heap and code, which may
 /// change a time by more than the difference that is looked for. Rows that only one program has are left out. Throws
 /// Failure where a program fails.
 std::map<compare::Inputs, PairedTimes> paired_times(const TimedPrograms& programs, const std::string& method,

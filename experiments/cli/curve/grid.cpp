@@ -31,8 +31,8 @@ void Grid::add_rows(const CurveCase<GridKernel>& one, CurveTable& table) const {
                   fmt::format("--points {}: must be a power of two and one, 2 to {}", points, max_grid_steps + 1));
   const auto curve = one.curve.view();
   const auto d = static_cast<std::size_t>(curve.dimension);
-  std::vector<CurveFile> axes;
-  for (int axis = 0; axis < curve.dimension; ++axis) axes.push_back(one.curve.along(axis));
+  std::vector<CurveFile> coordinates;
+  for (int axis = 0; axis < curve.dimension; ++axis) coordinates.push_back(one.curve.along(axis));
   std::vector<double> computed(static_cast<std::size_t>(points) * d);
   reference::ExactCurve exact;
   reference::TrialScale scale;
@@ -45,7 +45,7 @@ void Grid::add_rows(const CurveCase<GridKernel>& one, CurveTable& table) const {
       table.add_point({std::string(method->info->id), std::to_string(k), number::decimal(t)},
                       std::span(computed).subspan(static_cast<std::size_t>(k) * d, d), truth, exact.p_tilde(curve, t),
                       [&](int axis) {
-                        scale.set(axes[static_cast<std::size_t>(axis)].view(), t);
+                        scale.set(coordinates[static_cast<std::size_t>(axis)].view(), t);
                         return scale.bound(at, reference::double_arithmetic);
                       });
     }

@@ -57,7 +57,7 @@ std::string why_unasked(const suite::Study& study, const suite::ExternalMethod& 
   const bool is_code = record.kind == suite::ExternalKind::own || record.kind == suite::ExternalKind::plugin;
   if (is_kind(study, timing_kind)) {
     if (!is_code) return "its methods are timed, and only a shared object or a compiled-in method can be timed";
-    if (timed_kind(without_external(study)).asks.problem != Problem::evaluation) return "it times another problem";
+    if (&timed_kind(without_external(study)) != &accuracy_kind) return "it times another problem";
   } else if (!is_kind(study, accuracy_kind)) {
     return fmt::format("it is of kind {}", suite::kind_of(study).id);
   }

@@ -122,10 +122,10 @@ judge::CellTally ExternalAccuracyJob::judged(const Cell& cell, std::size_t batch
   std::optional<judge::CellTally> sum;
   for (auto block = first_block; block < end_block; ++block) {
     const auto [first, end] = cell.trials_of(block);
-    const auto block_points =
+    const auto block_answers =
         points.first(std::min(points.size(), (end - first) * static_cast<std::size_t>(cell.cell().dimension)));
-    points = points.subspan(block_points.size());
-    auto tally = cell.judge_block(block, block_points);
+    points = points.subspan(block_answers.size());
+    auto tally = cell.judge_block(block, block_answers);
     if (sum)
       sum->merge(tally);
     else

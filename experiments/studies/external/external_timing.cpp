@@ -14,6 +14,7 @@
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/race.hpp"
 #include "experiments/race/timed_check.hpp"
+#include "experiments/race/timed_inputs.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/external/external.hpp"
 #include "experiments/studies/timing/racing_job.hpp"

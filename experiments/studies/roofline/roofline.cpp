@@ -11,7 +11,7 @@
 #include "experiments/metric/verdict.hpp"
 #include "experiments/number/number.hpp"
 #include "experiments/race/limit.hpp"
-#include "experiments/race/timed_check.hpp"
+#include "experiments/race/timed_inputs.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/roofline/roofline_race.hpp"
 #include "experiments/studies/roster.hpp"

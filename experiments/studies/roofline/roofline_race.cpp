@@ -10,6 +10,7 @@
 #include "experiments/metric/observed_error.hpp"
 #include "experiments/race/peak_rival.hpp"
 #include "experiments/race/timed_check.hpp"
+#include "experiments/race/timed_inputs.hpp"
 
 namespace bezierbench::studies {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "experiments/race/race.hpp"
-#include "experiments/race/timed_check.hpp"
+#include "experiments/race/timed_inputs.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/timing/racing_job.hpp"
