@@ -30,11 +30,11 @@ COMPARISON = {
     "facts.csv": "against bundle fact a b".split(),
     "standings.csv": "rank bundle cpu compiler machine accuracy_rows_differing timings mean_ratio mean_normalised".split(),
 }
-WORDS = frozenset("kind study table curve method scalar mode generator baseline verdict against bundle file column quality "
+WORDS = frozenset("kind study table form method scalar mode generator baseline verdict against bundle file column quality "
                   "normalised_verdict fact cpu compiler machine".split())
 # Ids as a suite has to write them; they stand in names of files and in commands that a reader copies.
 ID = re.compile(r"[A-Za-z0-9._:+-]+")
-IDS = frozenset("study accuracy_study worst_id search_id guarantee_id method conversion curve scalar generator mode".split())
+IDS = frozenset("study accuracy_study worst_id search_id guarantee_id method conversion form scalar generator mode".split())
 SPAN = re.compile(r"\d+\.\.\d+")  # of degrees: a count of table 2.2 is over all of them
 
 

@@ -10,7 +10,7 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/csv.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench {
 namespace {

@@ -28,7 +28,7 @@
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/json_object.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::bundle {
 namespace {

@@ -16,7 +16,7 @@
 #include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/terminal.hpp"
 

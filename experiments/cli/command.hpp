@@ -59,7 +59,7 @@ class Command {
 
   /// Adds an option. Its value is written to `value` before the action runs; the value before that is the default. A
   /// name without -- is that of a positional argument, as help prints it. All numbers except small integers are read as text, for
-  /// experiments/number to parse, because the parser would accept nan, and 1e-999 as 0.
+  /// reference/number to parse, because the parser would accept nan, and 1e-999 as 0.
   template <class Value>
   Option option(const std::string& name, Value& value, const std::string& help);
   Option flag(const std::string& name, bool& value, const std::string& help);

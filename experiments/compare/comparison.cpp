@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "experiments/compare/ratio.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/tables/table_row.hpp"
 
 namespace bezierbench::compare {

@@ -9,7 +9,7 @@
 #include <deque>
 #include <map>
 
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::compare {
 namespace {

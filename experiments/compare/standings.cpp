@@ -7,7 +7,7 @@
 #include <set>
 
 #include "experiments/compare/ratio.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::compare {
 namespace {

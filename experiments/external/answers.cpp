@@ -13,7 +13,7 @@
 
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::external {
 namespace {

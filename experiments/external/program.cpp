@@ -17,7 +17,7 @@
 #include "experiments/external/code.hpp"
 #include "experiments/external/method.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::external {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <span>
 
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/sample/data_kind.hpp"
 #include "experiments/sample/knot_kind.hpp"
 #include "experiments/sample/placement.hpp"

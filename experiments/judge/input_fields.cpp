@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::judge {
 namespace {

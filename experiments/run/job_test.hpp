@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "experiments/bundle/csv.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/run/job.hpp"
 
 namespace bezierbench::run {

@@ -14,7 +14,7 @@
 #include <tuple>
 
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/sample/roster.hpp"
 #include "experiments/suite/names.hpp"
 

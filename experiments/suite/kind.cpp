@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/curve_view.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/suite/names.hpp"
 
 namespace bezierbench::suite {

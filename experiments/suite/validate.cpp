@@ -13,7 +13,7 @@
 #include "core/curve_view.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/nearest.hpp"

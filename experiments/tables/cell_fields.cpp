@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/suite/names.hpp"
 
 namespace bezierbench::tables {

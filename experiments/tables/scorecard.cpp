@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "experiments/metric/order_statistics.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/names.hpp"
 #include "reference/published/published.hpp"

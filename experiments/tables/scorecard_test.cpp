@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "reference/published/published.hpp"
 
 namespace bezierbench::tables {

@@ -12,7 +12,7 @@
 
 #include "experiments/bundle/csv.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/tables/tables.hpp"
 
 namespace bezierbench::tables {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::tables {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "experiments/bundle/digest.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::bundle {
 

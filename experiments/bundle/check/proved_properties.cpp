@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "experiments/bundle/check/few_lines.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::bundle {
 namespace {

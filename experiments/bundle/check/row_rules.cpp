@@ -10,7 +10,7 @@
 #include "experiments/bundle/check/few_lines.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/schema/columns.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::bundle {
 namespace {

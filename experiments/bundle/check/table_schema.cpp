@@ -16,7 +16,7 @@
 #include "experiments/bundle/schema/columns.hpp"
 #include "experiments/bundle/schema/tables_schema.hpp"
 #include "experiments/echo.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::bundle {
 namespace {

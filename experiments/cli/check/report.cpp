@@ -13,7 +13,7 @@
 #include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/compare/comparison.hpp"
 #include "experiments/echo.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/requirements/requirements.hpp"
 #include "experiments/tables/table_row.hpp"
 

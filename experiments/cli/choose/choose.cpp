@@ -22,7 +22,7 @@
 #include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/metric/pareto.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/choices.hpp"
 #include "experiments/terminal.hpp"

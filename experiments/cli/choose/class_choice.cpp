@@ -11,7 +11,7 @@
 
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/suite/names.hpp"
 
 namespace bezierbench::cli {

@@ -12,7 +12,7 @@
 #include "experiments/cli/terminal/shell_word.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/echo.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/suite.hpp"
 #include "experiments/terminal.hpp"

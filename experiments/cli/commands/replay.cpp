@@ -18,7 +18,7 @@
 #include "experiments/judge/error_sources.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/studies/external/external.hpp"
 
 namespace bezierbench::cli {

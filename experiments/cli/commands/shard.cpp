@@ -8,7 +8,7 @@
 
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

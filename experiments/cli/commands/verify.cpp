@@ -16,7 +16,7 @@
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/echo.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/run/plan.hpp"
 #include "experiments/suite/text/reader.hpp"
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """`verify` on bundles whose tables somebody changed, with checksums and digests that are right again."""
+import contextlib
 import csv
+import hashlib
 import io
 import os
 import re
@@ -12,7 +14,7 @@ import unittest
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, ".."), os.path.join(HERE, "../../..")]
 from program_case import CONVERSION, FINDING, FINE, PROGRAM, STUDY, Case, rows  # noqa: E402
-from scripts.hostile_bundle import sign  # noqa: E402
+from scripts import digests  # noqa: E402
 
 ONE = {"curve": '"bernstein"', "degree": "[3]", "coordinate_range": "[1]", "trials": "5"}
 STUDIES = [
@@ -89,7 +91,21 @@ FORGERIES = {
 }
 
 
-class Forgeries(Case):
+class Signed(Case):
+    def sign(self, bundle):
+        """Makes digests and checksums those of the files as they are, as whoever changes a bundle on purpose can."""
+        folder = self.folder / bundle
+        with contextlib.suppress(ValueError, LookupError, StopIteration, csv.Error, OSError):  # tables that cannot be read
+            (folder / digests.NAME).write_text(digests.of_bundle(folder))
+        manifest = (folder / "bundle.json").read_text()
+        for key, file in (("accuracy_digest", digests.NAME), ("digest", "suite.toml")):
+            sha = hashlib.sha256((folder / file).read_bytes()).hexdigest()
+            manifest = re.sub(rf'("{key}": ")[0-9a-f]{{64}}', rf"\g<1>{sha}", manifest)
+        (folder / "bundle.json").write_text(manifest)
+        self.list_anew(bundle)
+
+
+class Forgeries(Signed):
     def setUp(self):
         super().setUp()
         self.bundle(self.suite(*STUDIES), timeout=600)
@@ -115,14 +131,14 @@ class Forgeries(Case):
                 shutil.copytree(self.folder / "b", self.folder / "f")
                 for file, change in changes.items():
                     self.change("f", file, change)
-                sign(self.folder / "f")
+                self.sign("f")
                 result = self.run_program("verify", "f")
                 self.assertEqual((result.returncode, result.stdout), (FINDING, b""), result.stderr)
                 self.assertIn(needle, result.stderr.decode())
                 self.assertNotIn("SHA256SUMS", result.stderr.decode())
 
     def test_signing_alone_is_fine(self):
-        sign(self.folder / "b")
+        self.sign("b")
         self.assertEqual(self.run_program("verify", "b").returncode, FINE)
 
     def test_a_method_of_another_build_is_not_accused(self):
@@ -137,11 +153,11 @@ class Forgeries(Case):
         manifest = self.folder / "b/bundle.json"
         commit = self.manifest("b")["git_commit"]
         manifest.write_text(manifest.read_text().replace(commit, "0" * 40))
-        sign(self.folder / "b")
+        self.sign("b")
         self.assertEqual(self.fine("verify", "b").splitlines()[0], "b: fine")
 
 
-class Schema(Case):
+class Schema(Signed):
     def test_schema_and_required_tables(self):
         """With checksums that are right."""
         self.bundle()
@@ -165,7 +181,7 @@ class Schema(Case):
                     text = change(path.read_text())
                     self.assertNotEqual(text, path.read_text())
                     path.write_text(text)
-                sign(self.folder / "c")
+                self.sign("c")
                 result = self.run_program("verify", "c")
                 self.assertEqual((result.returncode, result.stdout), (FINDING, b""), result)
                 self.assertIn(needle, result.stderr.decode())

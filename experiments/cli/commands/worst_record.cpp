@@ -10,7 +10,7 @@
 #include "core/curve_view.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/input_fields.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/suite/names.hpp"
 #include "reference/exact_point.hpp"
 

@@ -7,7 +7,7 @@
 #include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "reference/length/length_along.hpp"
 
 namespace bezierbench::cli {

@@ -7,7 +7,7 @@
 #include "core/bspline/kernel.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/metric/bound_at.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "reference/companion/exact_bspline.hpp"
 
 namespace bezierbench::cli {

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/peers/peers.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "reference/error/coordinate_error.hpp"

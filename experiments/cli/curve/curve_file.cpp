@@ -15,7 +15,7 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

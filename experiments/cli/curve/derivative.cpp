@@ -3,7 +3,7 @@
 #include "core/derivative/kernel.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/metric/derivative_scale.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace bezierbench::cli {

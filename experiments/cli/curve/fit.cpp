@@ -5,7 +5,7 @@
 
 #include "core/fit/kernel.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

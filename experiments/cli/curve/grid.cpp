@@ -5,7 +5,7 @@
 #include "core/grid/kernel.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/metric/bound_at.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace bezierbench::cli {

@@ -5,7 +5,7 @@
 
 #include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/judge/methods.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "reference/length/true_length.hpp"
 
 namespace bezierbench::cli {

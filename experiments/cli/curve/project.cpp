@@ -2,7 +2,7 @@
 // `curve project`: the projection of a point onto one curve by any method, against the exact foot point.
 #include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/judge/methods.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "reference/companion/projection.hpp"
 
 namespace bezierbench::cli {

@@ -8,7 +8,7 @@
 #include "experiments/bundle/digest.hpp"
 #include "experiments/external/answers.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 
 namespace bezierbench::cli {

@@ -18,7 +18,7 @@
 #include "experiments/external/answers.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/input_fields.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/external.hpp"

@@ -10,7 +10,7 @@
 #include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "experiments/suite/validate.hpp"
 

@@ -21,7 +21,7 @@
 #include "core/evaluate/guarantee.hpp"
 #include "experiments/guarantees/draws.hpp"
 #include "experiments/guarantees/statements.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/programs/pieces.hpp"
 
 namespace {

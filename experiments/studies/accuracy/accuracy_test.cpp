@@ -14,7 +14,7 @@
 #include "experiments/failure.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/workspace.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/studies/roster.hpp"
 #include "reference/exact_curve.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/studies/roster.hpp"
 

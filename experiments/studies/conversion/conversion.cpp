@@ -15,7 +15,7 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/study_inputs.hpp"
 #include "experiments/metric/counts.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/sample/draw.hpp"

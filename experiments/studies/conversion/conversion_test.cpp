@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/studies/roster.hpp"
 

@@ -17,7 +17,7 @@
 #include "core/batch/batch.hpp"
 #include "core/evaluate/kernel/prepared_state.hpp"
 #include "experiments/judge/methods.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
 #include "experiments/studies/exhaustive/named_curves.hpp"

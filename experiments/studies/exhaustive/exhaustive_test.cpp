@@ -8,7 +8,7 @@
 #include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/workspace.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
 #include "experiments/studies/exhaustive/named_curves.hpp"
 #include "experiments/studies/roster.hpp"

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "experiments/bundle/csv.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 namespace {

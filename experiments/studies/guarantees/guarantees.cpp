@@ -14,7 +14,7 @@
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/studies/guarantees/search_for_counterexample.hpp"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "experiments/judge/scalar_facts.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/studies/hard_cases/families.hpp"

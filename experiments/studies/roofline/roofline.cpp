@@ -9,7 +9,7 @@
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/race/limit.hpp"
 #include "experiments/race/timed_inputs.hpp"
 #include "experiments/run/interruption.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "experiments/bundle/csv.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/studies/roofline/roofline_race.hpp"
 #include "experiments/studies/roster.hpp"
 

@@ -12,7 +12,7 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
 #include "experiments/judge/scalar_facts.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/search/climb.hpp"

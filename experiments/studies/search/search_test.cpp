@@ -5,7 +5,7 @@
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/search/climb.hpp"
 

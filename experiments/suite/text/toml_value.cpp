@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "experiments/failure.hpp"
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 #include "experiments/suite/goal.hpp"
 #include "experiments/suite/kind.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/number/number.hpp"
+#include "reference/number/number.hpp"
 
 #include <gtest/gtest.h>
 
