@@ -7,8 +7,8 @@
 #include <functional>
 
 #include "experiments/compare/ratio.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/tables/table_row.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::compare {
 namespace {

@@ -6,11 +6,11 @@
 #include <array>
 #include <span>
 
-#include "reference/number/number.hpp"
 #include "experiments/sample/data_kind.hpp"
 #include "experiments/sample/knot_kind.hpp"
 #include "experiments/sample/placement.hpp"
 #include "experiments/suite/kind.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::judge {
 namespace {

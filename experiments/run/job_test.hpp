@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "experiments/bundle/csv.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/run/job.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::run {
 

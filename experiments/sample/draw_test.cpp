@@ -14,9 +14,9 @@
 #include <tuple>
 
 #include "experiments/failure.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/sample/roster.hpp"
 #include "experiments/suite/names.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::sample {
 namespace {

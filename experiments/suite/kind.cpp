@@ -9,8 +9,8 @@
 #include <string>
 
 #include "core/curve_view.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/suite/names.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::suite {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "reference/number/number.hpp"
 #include "experiments/suite/names.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::tables {
 

@@ -10,9 +10,9 @@
 #include <optional>
 
 #include "experiments/metric/order_statistics.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/names.hpp"
+#include "reference/number/number.hpp"
 #include "reference/published/published.hpp"
 
 namespace bezierbench::tables {

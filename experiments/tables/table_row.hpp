@@ -12,8 +12,8 @@
 
 #include "experiments/bundle/csv.hpp"
 #include "experiments/failure.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/tables/tables.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::tables {
 

@@ -22,10 +22,10 @@
 #include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/echo.hpp"
 #include "experiments/metric/pareto.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/choices.hpp"
 #include "experiments/terminal.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

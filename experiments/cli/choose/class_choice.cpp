@@ -11,8 +11,8 @@
 
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/suite/names.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

@@ -18,8 +18,8 @@
 #include "experiments/judge/error_sources.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/studies/external/external.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

@@ -14,7 +14,6 @@
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/kind.hpp"
@@ -22,6 +21,7 @@
 #include "experiments/suite/text/overrides.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "experiments/tables/cell_fields.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

@@ -16,9 +16,9 @@
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/echo.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/run/plan.hpp"
 #include "experiments/suite/text/reader.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

@@ -10,9 +10,9 @@
 #include "core/curve_view.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/input_fields.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/suite/names.hpp"
 #include "reference/exact_point.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

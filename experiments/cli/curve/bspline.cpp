@@ -7,8 +7,8 @@
 #include "core/bspline/kernel.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/metric/bound_at.hpp"
-#include "reference/number/number.hpp"
 #include "reference/companion/exact_bspline.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

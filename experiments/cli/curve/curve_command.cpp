@@ -5,10 +5,10 @@
 #include <chrono>
 #include <cmath>
 
-#include "reference/number/number.hpp"
 #include "experiments/peers/peers.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "reference/error/coordinate_error.hpp"
+#include "reference/number/number.hpp"
 #include "reference/stop.hpp"
 
 namespace bezierbench::cli {

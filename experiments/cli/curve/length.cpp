@@ -5,8 +5,8 @@
 
 #include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/judge/methods.hpp"
-#include "reference/number/number.hpp"
 #include "reference/length/true_length.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

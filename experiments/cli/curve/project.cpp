@@ -2,8 +2,8 @@
 // `curve project`: the projection of a point onto one curve by any method, against the exact foot point.
 #include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/judge/methods.hpp"
-#include "reference/number/number.hpp"
 #include "reference/companion/projection.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

@@ -8,8 +8,8 @@
 #include "experiments/bundle/digest.hpp"
 #include "experiments/external/answers.hpp"
 #include "experiments/failure.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/run/interruption.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

@@ -18,13 +18,13 @@
 #include "experiments/external/answers.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/input_fields.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/external.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "experiments/suite/text/writer.hpp"
 #include "experiments/tables/cell_fields.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

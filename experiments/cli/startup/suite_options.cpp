@@ -10,9 +10,9 @@
 #include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/failure.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "experiments/suite/validate.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

@@ -21,8 +21,8 @@
 #include "core/evaluate/guarantee.hpp"
 #include "experiments/guarantees/draws.hpp"
 #include "experiments/guarantees/statements.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/programs/pieces.hpp"
+#include "reference/number/number.hpp"
 
 namespace {
 

@@ -19,11 +19,11 @@
 #include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/evaluate/methods/correctly_rounded.hpp"
 #include "core/evaluate/methods/correctly_rounded_power.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/programs/pieces.hpp"
 #include "experiments/studies/hard_cases/families.hpp"
 #include "reference/certified_points.hpp"
 #include "reference/exact_curve.hpp"
+#include "reference/number/number.hpp"
 
 namespace {
 

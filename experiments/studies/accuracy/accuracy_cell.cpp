@@ -11,10 +11,10 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/trial_inputs.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/cell_fields.hpp"
 #include "experiments/tables/statistics.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 

@@ -14,10 +14,10 @@
 #include "experiments/failure.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/workspace.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/studies/roster.hpp"
 #include "reference/exact_curve.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 namespace {

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "experiments/failure.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/studies/roster.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 namespace {

@@ -17,7 +17,6 @@
 #include "core/batch/batch.hpp"
 #include "core/evaluate/kernel/prepared_state.hpp"
 #include "experiments/judge/methods.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
 #include "experiments/studies/exhaustive/named_curves.hpp"
@@ -27,6 +26,7 @@
 #include "experiments/suite/pattern.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/float_values.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 namespace {

@@ -8,11 +8,11 @@
 #include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/workspace.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
 #include "experiments/studies/exhaustive/named_curves.hpp"
 #include "experiments/studies/roster.hpp"
 #include "reference/exact_curve.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 namespace {

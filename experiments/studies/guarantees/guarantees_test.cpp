@@ -5,10 +5,10 @@
 #include <string>
 
 #include "experiments/judge/input_fields.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/run/job_test.hpp"
 #include "experiments/studies/guarantees/search_for_counterexample.hpp"
 #include "experiments/studies/roster.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 namespace {

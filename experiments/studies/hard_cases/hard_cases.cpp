@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "experiments/judge/scalar_facts.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/studies/hard_cases/families.hpp"
@@ -20,6 +19,7 @@
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/names.hpp"
 #include "reference/exact_curve.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 namespace {

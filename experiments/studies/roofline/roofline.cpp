@@ -9,7 +9,6 @@
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/race/limit.hpp"
 #include "experiments/race/timed_inputs.hpp"
 #include "experiments/run/interruption.hpp"
@@ -18,6 +17,7 @@
 #include "experiments/suite/goal.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/cell_fields.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "experiments/bundle/csv.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/studies/roofline/roofline_race.hpp"
 #include "experiments/studies/roster.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 namespace {

@@ -12,12 +12,12 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
 #include "experiments/judge/scalar_facts.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/search/climb.hpp"
 #include "experiments/suite/keys.hpp"
 #include "experiments/tables/cell_fields.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 namespace {

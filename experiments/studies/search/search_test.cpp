@@ -5,9 +5,9 @@
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/search/climb.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 namespace {

@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "experiments/failure.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/suite/goal.hpp"
 #include "experiments/suite/kind.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::suite {
 
