@@ -39,6 +39,9 @@ class TruePoint {
   /// The spacing of doubles at that length, as ulp_of_length.
   [[nodiscard]] double ulp(double length, const Format& format);
 
+  /// The number of the format, binary32 or binary64, that is nearest to coordinate `axis`, ties to even.
+  [[nodiscard]] double nearest(int axis, const Format& format);
+
   /// The point as integers.
   [[nodiscard]] const ExactPoint& exact();
 

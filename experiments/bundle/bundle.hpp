@@ -13,6 +13,12 @@
 
 namespace bezierbench::bundle {
 
+/// Begins the name of a copy of a curve set that the suites of a bundle name: curves_ID.csv.
+inline constexpr const char* curves_prefix = "curves_";
+[[nodiscard]] constexpr bool is_curves_name(std::string_view name) {
+  return name.starts_with(curves_prefix) && name.ends_with(".csv");
+}
+
 /// A bundle's folder. Several threads and processes may write different files at once; finish() must run alone.
 class BundleDirectory {
  public:

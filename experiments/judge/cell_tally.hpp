@@ -36,7 +36,10 @@ struct Judgement {
   metric::Tally error_u;
   metric::Tally error_ulp;  ///< against the exact reference only, like all below
   metric::Tally relative;
+  metric::Tally error_size;  ///< over the size of the curve, of trials whose curve has one
   std::optional<Worst> worst;
+  std::uint64_t coordinates = 0;  ///< of trials whose error is finite
+  std::uint64_t misrounded = 0;   ///< those of them that are not the nearest number
   SourceTallies sources;
   std::uint64_t non_finite = 0;
   std::uint64_t own_kernel = 0;  ///< trials whose point was computed by the method's own kernel, the one that is timed
@@ -47,8 +50,9 @@ struct Judgement {
 
   template <class Bytes, class Self>
   static auto each_field(Bytes& bytes, Self& self) {
-    return bytes(self.error, self.error_u, self.error_ulp, self.relative, self.worst, self.sources, self.non_finite,
-                 self.own_kernel, self.bounded, self.violations, self.bound, self.bound_u);
+    return bytes(self.error, self.error_u, self.error_ulp, self.relative, self.error_size, self.worst, self.coordinates,
+                 self.misrounded, self.sources, self.non_finite, self.own_kernel, self.bounded, self.violations,
+                 self.bound, self.bound_u);
   }
 };
 

@@ -52,6 +52,7 @@ struct GroupJudge<Scalar>::Origin {
   reference::CertifiedBlock points;
   Lanes length{};  ///< of the true point, and the spacing of numbers there
   Lanes ulp{};
+  PointsOfGroup nearest{};  ///< the nearest numbers to the true coordinates
 };
 
 /// One trial of a group.
@@ -76,6 +77,7 @@ struct GroupJudge<Scalar>::Scratch {
   std::optional<reference::CertifiedPoints> certified;  ///< of the last cell; its binomials are kept
   reference::CertifiedBlock truths;
   metric::ScaleLanes scales;
+  Lanes size{};  ///< of the curves; 0 without control points
   Lanes p_tilde{};
   Origin from;  ///< what errors are measured from at present
 };
@@ -139,6 +141,7 @@ void GroupJudge<Scalar>::draw(Group group, TrialNumber first, Scratch& scratch) 
     lane.counted = static_cast<std::uint64_t>(lane.number.replicate * study_.trials + lane.number.trial);
     lane.inputs.be_of(study_.form, cell_);
     lane.inputs.draw(sampler_, lane.counted);
+    scratch.size[k] = metric::size_of(lane.inputs.true_curve());
     scratch.points.add(lane.inputs.curve(), lane.inputs.t());
   }
 }
@@ -194,6 +197,8 @@ void GroupJudge<Scalar>::measure_from_truth(Group group, Scratch& scratch) const
     if (std::isnan(from.length[k])) from.length[k] = truth.length();
     if (std::isfinite(from.length[k])) from.has_length |= LaneSet{1} << k;
     from.ulp[k] = truth.ulp(from.length[k], ScalarFacts<Scalar>::format);
+    for (int axis = 0; axis < cell_.dimension; ++axis)
+      from.nearest[static_cast<std::size_t>(axis)][k] = truth.nearest(axis, ScalarFacts<Scalar>::format);
   }
 }
 
@@ -238,6 +243,16 @@ void GroupJudge<Scalar>::judge_method(std::size_t method, Group group, Scratch& 
   if (!from.is_truth) return;
   add(metric::in_units(errors, from.ulp), measured, judgement.error_ulp);
   add(metric::in_units(errors, from.length), measured & from.has_length, judgement.relative);
+  LaneSet sized = 0;
+  for (std::size_t k = 0; k < group.size(); ++k)
+    if (has(measured, k) && scratch.size[k] > 0) sized |= LaneSet{1} << k;
+  add(metric::in_units(errors, scratch.size), sized, judgement.error_size);
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell_.dimension); ++axis)
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      if (!has(measured, k)) continue;
+      ++judgement.coordinates;
+      judgement.misrounded += computed[axis][k] != from.nearest[axis][k] ? 1 : 0;
+    }
   for (std::size_t k = 0; k < group.size(); ++k) {
     if (has(measured, k))
       metric::merge_fields(judgement.worst, std::optional(Worst{errors_u[k], errors[k], group[k].counted}));

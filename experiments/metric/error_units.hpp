@@ -2,6 +2,7 @@
 // Errors in the units in which they are judged and kept.
 #pragma once
 
+#include "core/curve_view.hpp"
 #include "experiments/metric/tally.hpp"
 #include "reference/certified_points.hpp"
 #include "reference/error/trial_scale.hpp"
@@ -17,5 +18,9 @@ inline ErrorLanes in_units(const ErrorLanes& errors, const ErrorLanes& divisors,
     units[k] = to_24_bits(reference::in_units(errors[k], divisors[k], unit));
   return units;
 }
+
+/// The size of a curve: the largest extent of its control points along an axis. 0 in power form, whose coefficients are not
+/// points.
+double size_of(const CurveView<double>& curve);
 
 }  // namespace bezierbench::metric

@@ -142,7 +142,10 @@ Plan::Plan(const RunRequest& request, Unplannable unplannable)
   };
   const auto each_study = [&](const auto& plan) {
     for (const auto& one : request.suites)
-      for (const auto& study : one.studies) or_left_out([&] { plan(study, JobContext{one.seed, request.tier}); });
+      for (const auto& written : one.studies)
+        or_left_out([&] {
+          for (const auto& study : request.kinds.studies_of(written)) plan(study, JobContext{one.seed, request.tier});
+        });
   };
   each_study([&](const suite::Study& study, const JobContext& context) {
     auto own = with_own_methods(study);
@@ -200,7 +203,10 @@ std::optional<std::string> difference(const bundle::Manifest& theirs, const bund
 }
 
 std::vector<std::pair<std::string, std::string>> lists_of(const RunRequest& request) {
-  return {{std::string(bundle::methods_name), request.methods_csv}, {generators_name, request.generators_csv}};
+  std::vector<std::pair<std::string, std::string>> lists{{std::string(bundle::methods_name), request.methods_csv},
+                                                         {generators_name, request.generators_csv}};
+  lists.insert(lists.end(), request.curve_files.begin(), request.curve_files.end());
+  return lists;
 }
 
 std::size_t cells_of(const Jobs& jobs) {

@@ -44,6 +44,8 @@ struct Outcome {
 // them.
 
 struct Kinds {
+  /// The studies that one stands for: one for each form and degree of its curve sets. A job is made of each.
+  std::vector<suite::Study> (*studies_of)(const suite::Study& study) = nullptr;
   /// The work of one study. Throws Failure(usage) where its methods do not fit.
   std::unique_ptr<Job> (*make_job)(const suite::Study& study, const JobContext& context) = nullptr;
   /// The tables that the study writes wherever it has rows, by file name: one of each list.
@@ -81,6 +83,7 @@ struct RunRequest {
   std::string counters;        ///< whether the processor's counters can be read, as machine.json says it
   std::string methods_csv;     ///< the list of methods that goes into the bundle
   std::string generators_csv;  ///< the list of generators, likewise
+  std::vector<std::pair<std::string, std::string>> curve_files;  ///< curve sets of the suites that are files, likewise
 };
 
 /// Runs all studies, or a shard of them, and writes the bundle once no block is missing. Until then blocks/ keeps the

@@ -134,7 +134,7 @@ bool RunFolder::begin(const RunRequest& request, const Plan& plan) {
     directory_->clear_away();  // blocks/, which a killed run left
     return false;
   }
-  refuse_foreign(bundle::is_table_name);
+  refuse_foreign([](const std::string& name) { return bundle::is_table_name(name) || bundle::is_curves_name(name); });
   if (is_begun())
     choose_machine(request, plan);
   else
@@ -183,7 +183,7 @@ void RunFolder::refuse_foreign(const std::function<bool(const std::string&)>& is
 
 void RunFolder::complete(const Plan& plan, const WholeBundle& whole) {
   refuse_foreign([&](const std::string& name) {
-    return name == bundle::methods_name || name == generators_name ||
+    return name == bundle::methods_name || name == generators_name || bundle::is_curves_name(name) ||
            std::ranges::any_of(whole.files, [&](const auto& file) { return file.first == name; });
   });
   for (const auto& [name, bytes] : whole.files) directory_->write(name, bytes);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "experiments/sample/curve_slice.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::sample {
@@ -17,6 +18,7 @@ std::string_view word_in_key(Form form) {
 }  // namespace
 
 std::string canonical(const Cell& cell) {
+  if (cell.slice) return cell.slice->canonical();
   return fmt::format("curve={};dimension={};degree={};coordinate_range={};t_interval={}:{};generator={}",
                      word_in_key(cell.form), cell.dimension, cell.degree, number::decimal(cell.coordinate_range),
                      number::decimal(cell.t_interval.min), number::decimal(cell.t_interval.max), cell.generator);
@@ -32,13 +34,16 @@ std::uint64_t key(std::string_view study_id) {
 }
 
 std::vector<Cell> cells(const suite::Study& study) {
+  if (study.slice)
+    return {{study.form, study.dimension.front(), study.degree.front(), study.slice->range(), suite::Interval{}, "",
+             study.slice}};
   std::vector<Cell> all;
   for (const int dimension : study.dimension) {
     for (const int degree : study.degree) {
       for (const double range : study.coordinate_range) {
         for (const suite::Interval& t : study.t_interval) {
           for (const std::string& generator : study.generator) {
-            all.push_back({study.form, dimension, degree, range, t, generator});
+            all.push_back({study.form, dimension, degree, range, t, generator, {}});
           }
         }
       }

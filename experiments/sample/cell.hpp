@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "experiments/suite/suite.hpp"
 
 namespace bezierbench::sample {
+
+class CurveSlice;
 
 /// The scalar type and the methods are not part of a cell: all of them get the same inputs.
 struct Cell {
@@ -19,6 +22,8 @@ struct Cell {
   double coordinate_range = 1;
   suite::Interval t_interval;
   std::string generator = "continuous";
+  std::shared_ptr<const CurveSlice> slice =
+      {};  ///< where the inputs are those of a curve set; the range is then theirs
   friend bool operator==(const Cell&, const Cell&) = default;
 };
 
@@ -33,7 +38,7 @@ std::uint64_t key(const Cell& cell);
 std::uint64_t key(std::string_view study_id);
 
 /// The cells of a study, the cross product of its axes; outermost first: dimension, degree, coordinate range,
-/// t interval, generator.
+/// t interval, generator. A study with a slice has one cell.
 std::vector<Cell> cells(const suite::Study& study);
 
 }  // namespace bezierbench::sample

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "experiments/failure.hpp"
+#include "experiments/sample/curve_slice.hpp"
 #include "experiments/sample/roster.hpp"
 
 namespace bezierbench::sample {
@@ -80,9 +81,17 @@ Sampler::Sampler(std::uint64_t seed, std::string_view study_id, const Cell& cell
     : Sampler(seed, key(study_id), cell) {}
 
 Sampler::Sampler(std::uint64_t seed, std::uint64_t study_key, const Cell& cell)
-    : seed_(seed), study_key_(study_key), cell_key_(key(cell)), cell_(cell), fill_(find(cell.generator)) {}
+    : seed_(seed),
+      study_key_(study_key),
+      cell_key_(key(cell)),
+      cell_(cell),
+      fill_(cell.slice ? nullptr : find(cell.generator)) {}
 
 void Sampler::draw(std::uint64_t trial, Trial& out) const {
+  if (cell_.slice) {
+    cell_.slice->draw(seed_, study_key_, cell_key_, trial, out);
+    return;
+  }
   Words words(seed_, study_key_, cell_key_, trial);
   out.coefficients.resize(static_cast<std::size_t>(cell_.degree + 1) * static_cast<std::size_t>(cell_.dimension));
   fill_(words, cell_, out);

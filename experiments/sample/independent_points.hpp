@@ -91,6 +91,20 @@ struct Distant {
   static double parameter(Words& words, suite::Interval t) { return Continuous::parameter(words, t); }
 };
 
+/// `local`: curves of size about 1 whose distance from the origin is R, as outlines on a page are. With a larger R more
+/// digits of every coordinate are those of the place, not of the shape.
+/// Takes the words that `continuous` takes.
+struct Local {
+  static constexpr GeneratorInfo info{
+      .id = "local",
+      .coordinates = "uniform in [R - 1, R] from 128 random bits, rounded once; R, from 1 on, is the distance over the size",
+      .t = "as continuous",
+      .limits = {.smallest_range = 1, .largest_range = 0x1p52}};
+
+  static double coordinate(Words& words, double range) { return affine(range - 1, range, words.next_uniform()); }
+  static double parameter(Words& words, suite::Interval t) { return Continuous::parameter(words, t); }
+};
+
 /// `graded`: coordinates from sixty binades in one curve, so that sums with large ones lose the small ones.
 /// Takes four words per coordinate, two for the exponent before the two that `continuous` takes.
 struct Graded {

@@ -23,6 +23,7 @@ using Generators = std::tuple<Continuous,      //
                               ClusteredRoots,  //
                               Cusp,            //
                               Distant,         //
+                              Local,           //
                               Graded,          //
                               Thin,            //
                               Bspline>;

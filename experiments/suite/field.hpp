@@ -17,14 +17,17 @@ namespace bezierbench::suite {
 /// Where a study keeps the value of a key. The type determines what may be written.
 using Slot = std::variant<const Kind**, std::string*, Form*, std::int64_t*, std::vector<int>*, std::vector<double>*,
                           std::vector<Interval>*, std::vector<std::string>*, std::vector<ScalarKind>*,
-                          std::vector<Mode>*, std::vector<Goal>*>;
-using Value =
-    std::variant<const Kind* const*, const std::string*, const Form*, const std::int64_t*, const std::vector<int>*,
-                 const std::vector<double>*, const std::vector<Interval>*, const std::vector<std::string>*,
-                 const std::vector<ScalarKind>*, const std::vector<Mode>*, const std::vector<Goal>*>;
+                          std::vector<Mode>*, std::vector<Goal>*, ParameterSource*, std::vector<Placement>*>;
+using Value = std::variant<const Kind* const*, const std::string*, const Form*, const std::int64_t*,
+                           const std::vector<int>*, const std::vector<double>*, const std::vector<Interval>*,
+                           const std::vector<std::string>*, const std::vector<ScalarKind>*, const std::vector<Mode>*,
+                           const std::vector<Goal>*, const ParameterSource*, const std::vector<Placement>*>;
 
 /// Whether the values of a key are swept. They then distinguish the cells of a study, or the cases within each cell.
 enum class Axis { none, of_cells, of_cases };
+
+/// Which studies a key is for: all, those that draw their curves, or those whose curves are of sets.
+enum class Curves { any, drawn, of_sets };
 
 struct Field {
   std::string_view key;
@@ -35,6 +38,7 @@ struct Field {
   Axis axis = Axis::none;
   bool settable = true;         ///< with `--set key=v1,v2`
   bool bare_if_single = false;  ///< a list of one value may be written without brackets
+  Curves curves = Curves::any;
   /// The place and the value of the key in a study whose kind has it. field() sets both.
   Slot (*slot)(Study& study) = nullptr;
   Value (*value)(const Study& study) = nullptr;

@@ -35,27 +35,68 @@ constexpr std::array shared{
     field<&Study::form>({.key = "curve",
                          .meaning = "form in which random curves are drawn",
                          .example = "\"bernstein\"",
-                         .settable = false}),
+                         .settable = false,
+                         .curves = Curves::drawn}),
     field<&Study::dimension>(
-        {.key = "dimension", .meaning = "numbers of coordinates, 1 to 3", .example = "[2, 3]", .axis = Axis::of_cells}),
-    field<&Study::degree>({.key = "degree",
-                           .meaning = "degrees of the curves, 0 to 1023",
-                           .example = "[3, 5]",
-                           .left_out = "none; only numbers of points can take its place",
-                           .axis = Axis::of_cells}),
+        {.key = "dimension",
+         .meaning = "numbers of coordinates, 1 to 3; of curve sets all that there are, if left out",
+         .example = "[2, 3]",
+         .axis = Axis::of_cells}),
+    field<&Study::degree>(
+        {.key = "degree",
+         .meaning = "degrees of the curves, 0 to 1023",
+         .example = "[3, 5]",
+         .left_out = "those of the curve sets; without these only numbers of points can take its place",
+         .axis = Axis::of_cells}),
     field<&Study::coordinate_range>({.key = "coordinate_range",
                                      .meaning = "ranges R of the coordinates, which lie in [-R, R]",
                                      .example = "[1, 1e6]",
-                                     .axis = Axis::of_cells}),
+                                     .axis = Axis::of_cells,
+                                     .curves = Curves::drawn}),
     field<&Study::t_interval>({.key = "t_interval",
                                .meaning = "intervals [a, b] from which parameters are drawn",
                                .example = "[[0, 1]]",
-                               .axis = Axis::of_cells}),
+                               .axis = Axis::of_cells,
+                               .curves = Curves::drawn}),
     field<&Study::generator>({.key = "generator",
                               .meaning = "how random inputs are drawn, see list generators; for rational curves the "
                                          "default is the first that draws weights",
                               .example = "[\"continuous\"]",
-                              .axis = Axis::of_cells}),
+                              .axis = Axis::of_cells,
+                              .curves = Curves::drawn}),
+    field<&Study::curves>({.key = "curves",
+                           .meaning =
+                               "curve sets whose curves are the inputs, instead of drawn ones: files, relative to the "
+                               "suite, or ids of shipped sets; SET#GLOB takes the curves with such ids",
+                           .example = "[\"outlines.svg\"]",
+                           .left_out = "none: curves are drawn",
+                           .settable = false,
+                           .curves = Curves::of_sets}),
+    field<&Study::curves_sha256>(
+        {.key = "curves_sha256",
+         .meaning = "the SHA-256 that the numbers of each curve set must have; a run writes it",
+         .example = "[]",
+         .left_out = "not checked",
+         .settable = false,
+         .curves = Curves::of_sets}),
+    field<&Study::parameters>({.key = "parameters",
+                               .meaning = "number of parameters for each curve of a set",
+                               .example = "16",
+                               .curves = Curves::of_sets}),
+    field<&Study::parameters_from>(
+        {.key = "parameters_from",
+         .meaning =
+             "which parameters of [0, 1]: drawn, on a grid with both ends, or those stored in the column t of the set",
+         .example = "\"grid\"",
+         .settable = false,
+         .curves = Curves::of_sets}),
+    field<&Study::placement>({.key = "placement",
+                              .meaning =
+                                  "where the curves of a set lie: as stored; scaled by a drawn factor; translated by a "
+                                  "drawn offset, as on a page",
+                              .example = "[\"stored\", \"translated\"]",
+                              .axis = Axis::of_cells,
+                              .curves = Curves::of_sets}),
     field<&Study::scalar>({.key = "scalar",
                            .meaning = "types in which methods compute",
                            .example = "[\"double\"]",
@@ -67,9 +108,12 @@ constexpr std::array shared{
          .left_out = "all that apply"}),
     field<&Study::trials>({.key = "trials",
                            .meaning = "random inputs per cell and replicate; times have rounds of their own",
-                           .example = "1000"}),
-    field<&Study::replicates>(
-        {.key = "replicates", .meaning = "independent repetitions of the trials, 1 to 1000000", .example = "2"}),
+                           .example = "1000",
+                           .curves = Curves::drawn}),
+    field<&Study::replicates>({.key = "replicates",
+                               .meaning = "independent repetitions of the trials, 1 to 1000000",
+                               .example = "2",
+                               .curves = Curves::drawn}),
     field<&Study::baseline>({.key = "baseline",
                              .meaning = "what results are compared with: exact or ids of methods; other kinds than "
                                         "accuracy and timing have exact only",
@@ -125,7 +169,8 @@ Finding check_independence(const Study& study, std::span<const KnownGenerator> g
 /// Checks the inputs of `study` against `inputs`. Messages name the kind or problem by `what`.
 Finding check_inputs_of(const Study& study, const Inputs& inputs, std::string_view what,
                         std::span<const KnownGenerator> generators) {
-  if (auto found = check_form(study, inputs)) return found;
+  if (!has_sets(study))
+    if (auto found = check_form(study, inputs)) return found;
   if (inputs.double_only)
     if (auto found = check_scalar(study, what)) return found;
   if (auto found = check_parameters(study, inputs)) return found;
@@ -164,14 +209,21 @@ std::vector<const Field*> fields_of(const Kind& kind) {
   std::vector<const Field*> fields;
   for (const Field& field : shared)
     if (std::ranges::find(kind.without, field.key) == kind.without.end() &&
-        (field.key != "degree" || kind.inputs.degree != DegreeUse::not_a_key))
+        (field.key != "degree" || kind.inputs.degree != DegreeUse::not_a_key) &&
+        (field.curves != Curves::of_sets || kind.inputs.sets != SetUse::none))
       fields.push_back(&field);
   for (const Field& field : kind.own) fields.push_back(&field);
   return fields;
 }
 
 bool is_required(const Kind& kind, const Field& field) {
+  if (field.key == "curves") return kind.inputs.sets == SetUse::required;
   return field.required || (field.key == "degree" && kind.inputs.degree == DegreeUse::required);
+}
+
+bool applies(const Field& field, const Study& study) {
+  if (field.curves == Curves::drawn) return !has_sets(study) || kind_of(study).inputs.sets == SetUse::required;
+  return field.curves == Curves::any || has_sets(study);
 }
 
 const Field* find_field(const Kind& kind, std::string_view key) {

@@ -31,6 +31,9 @@ enum class DegreeUse {
 /// Which values of t_interval a study may have; `whole`: only the default.
 enum class Parameters { any, from_0_to_1, whole };
 
+/// Whether curves may be those of sets.
+enum class SetUse { optional, required, none };
+
 inline constexpr std::int64_t most_replicates = 1000000;  ///< per cell: the results of every replicate are kept
 
 /// The inputs that a kind of study takes, of all that suites can describe.
@@ -44,7 +47,9 @@ struct Inputs {
   std::string_view least_degree_reason = {};
   Parameters parameters = Parameters::any;
   std::string_view parameters_reason = {};  ///< what the interval is, or why there is none
-  bool independent_points = false;          ///< no generator that draws a curve as a whole
+  SetUse sets = SetUse::optional;
+  std::string_view sets_reason = {};  ///< why they may not
+  bool independent_points = false;    ///< no generator that draws a curve as a whole
 };
 
 struct Kind {
@@ -72,8 +77,12 @@ const Kind& kind_of(const Study& study);
 std::span<const Field> shared_fields();
 /// All keys of a kind, in the order in which they are written.
 std::vector<const Field*> fields_of(const Kind& kind);
-/// Whether every study of this kind must have the key.
+/// Whether every study of this kind must have the key; only where its curves are drawn if `field.curves` or the degree says so.
 bool is_required(const Kind& kind, const Field& field);
+/// Whether the curves of the study are those of sets.
+inline bool has_sets(const Study& study) { return !study.curves.empty(); }
+/// Whether the key means something in this study: some are for drawn curves, some for those of sets.
+bool applies(const Field& field, const Study& study);
 /// The kind's field of this key; null where the kind does not have it.
 const Field* find_field(const Kind& kind, std::string_view key);
 /// Why a study of this kind cannot have `key`, with those of `kinds` that can; empty where none has it.

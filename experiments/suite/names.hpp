@@ -45,6 +45,14 @@ template <>
 inline constexpr std::array<Word<Mode>, 4> words<Mode>{
     {{Mode::one_shot, "one_shot"}, {Mode::point, "point"}, {Mode::latency, "latency"}, {Mode::batch, "batch"}}};
 
+template <>
+inline constexpr std::array<Word<ParameterSource>, 3> words<ParameterSource>{
+    {{ParameterSource::drawn, "drawn"}, {ParameterSource::grid, "grid"}, {ParameterSource::stored, "stored"}}};
+
+template <>
+inline constexpr std::array<Word<Placement>, 3> words<Placement>{
+    {{Placement::stored, "stored"}, {Placement::scaled, "scaled"}, {Placement::translated, "translated"}}};
+
 template <class Enum>
 concept Worded = words<Enum>
 .size() > 0;

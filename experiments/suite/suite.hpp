@@ -5,10 +5,16 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/curve_view.hpp"
+
+namespace bezierbench::sample {
+struct LoadedSet;
+class CurveSlice;
+}  // namespace bezierbench::sample
 
 namespace bezierbench::suite {
 
@@ -40,6 +46,14 @@ enum class ScalarKind { float32, float64 };
 /// What one timed call does: prepare and one point; one prepared point; a dependent chain of points; one curve at many
 /// t.
 enum class Mode { one_shot, point, latency, batch };
+
+/// Which parameters a study takes on each curve of a set: drawn ones, a grid that has both ends of the interval, or those
+/// that the set stores.
+enum class ParameterSource { drawn, grid, stored };
+
+/// Where the curves of a set lie: as stored; each multiplied by a drawn factor from [1/2, 1); each moved by a drawn offset of
+/// at most 64 times the largest coordinate on every axis, like a glyph on a page. The results are rounded once.
+enum class Placement { stored, scaled, translated };
 
 struct Interval {
   double min = 0;
@@ -80,6 +94,16 @@ struct Study {
   std::int64_t replicates = 1;                 ///< independent repetitions, for a band
   std::vector<std::string> baseline{"exact"};  ///< what errors are measured against: `exact` or a method id
 
+  // Keys of studies whose curves are those of sets; none of them is drawn then.
+  std::vector<std::string> curves;  ///< sets, each a file or the id of a shipped one; SET#GLOB: some of its curves
+  std::vector<std::string> curves_sha256;  ///< the identities of the sets; empty: not stated
+  std::int64_t parameters = 1;             ///< of each curve
+  ParameterSource parameters_from = ParameterSource::drawn;
+  std::vector<Placement> placement{Placement::stored};
+  std::vector<std::shared_ptr<const sample::LoadedSet>> sets;  ///< those of `curves`, once they were read
+  std::shared_ptr<const sample::CurveSlice>
+      slice;  ///< its trials, where it is one of sample::studies_of() a study of sets
+
   // Keys that not every kind has; the kind's own fields (kind.hpp) say which.
   std::vector<int> order;         ///< orders of derivatives
   std::vector<int> points;        ///< numbers of data points, or of points of a grid
@@ -90,7 +114,6 @@ struct Study {
   std::int64_t budget = 0;              ///< inputs that a search may try per cell and method
   std::int64_t kept = 8;                ///< hard cases of each family and search
   std::vector<std::string> properties;  ///< guarantees that are searched for; empty: all of them
-  std::vector<std::string> curves;      ///< ids or globs of named curves
   std::vector<Goal> goals;              ///< goals that batch kernels must reach
 };
 

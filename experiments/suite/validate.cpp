@@ -240,7 +240,7 @@ Finding check_present(const Study& study) {
   Study defaults;
   defaults.kind = &kind;
   for (const Field* field : fields_of(kind)) {
-    if (!is_empty(*field, study)) continue;
+    if (!is_empty(*field, study) || (has_sets(study) && field->axis == Axis::of_cells)) continue;
     if (is_required(kind, *field))
       return Fault{field->key,
                    0,
@@ -251,6 +251,36 @@ Finding check_present(const Study& study) {
       return Fault{field->key, 0, {}, fmt::format("{} is empty; name a value or leave it out", field->key)};
   }
   return check_cells(study);
+}
+
+/// The first key that is for drawn curves, where they are those of sets, or the reverse.
+Finding check_curves(const Study& study) {
+  const Kind& kind = kind_of(study);
+  for (const Field* field : fields_of(kind)) {
+    if (applies(*field, study) || !study.places.keys.contains(field->key)) continue;
+    return Fault{field->key,
+                 Fault::key_itself,
+                 {},
+                 has_sets(study)
+                     ? fmt::format("{} is for drawn curves, and these are those of sets; remove it", field->key)
+                     : fmt::format("{} is for curves of sets; remove it, or name sets in curves", field->key)};
+  }
+  if (!has_sets(study)) return std::nullopt;
+  if (auto found = each("curves", study.curves, [](const std::string& entry) {
+        return std::string(entry.empty() || entry.front() == '#' ? "curves has an entry without a set; remove it" : "");
+      }))
+    return found;
+  if (!study.curves_sha256.empty() && study.curves_sha256.size() != study.curves.size())
+    return Fault{"curves_sha256", Fault::key_itself, "curves", "curves_sha256 must have one value for each of curves"};
+  constexpr std::int64_t most_parameters = 1 << 20;
+  const std::int64_t least = study.parameters_from == ParameterSource::grid ? 2 : 1;
+  if (study.parameters < least || study.parameters > most_parameters)
+    return Fault{"parameters", 0, "parameters_from",
+                 fmt::format("parameters must be {} to {}, {}", least, most_parameters,
+                             least == 2 ? "since a grid has both ends" : "for each curve")};
+  if (study.parameters_from == ParameterSource::stored && study.parameters != 1)
+    return Fault{"parameters", 0, "parameters_from", "parameters are those of the set; leave parameters out"};
+  return each("placement", study.placement, [](Placement) { return std::string(); });
 }
 
 Finding check_baseline(const Study& study) {
@@ -267,13 +297,14 @@ Finding validate(const Study& study, const Vocabulary& known) {
   if (auto found = check_counts(study)) return found;
   if (auto found = check_present(study)) return found;
   if (auto found = check_axes(study)) return found;
+  if (auto found = check_curves(study)) return found;
   const Kind& kind = kind_of(study);
   if (kind.check != nullptr)
     if (auto found = kind.check(study, known)) return found;
   if (auto found = check_ids(study, known)) return found;
   if (auto found = check_baseline(study)) return found;
   if (auto found = check_inputs(study, known.generators)) return found;
-  return check_fit(study, known);
+  return has_sets(study) ? std::nullopt : check_fit(study, known);
 }
 
 std::string seed_problem(std::uint64_t seed) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "experiments/sample/curve_slice.hpp"
 #include "experiments/suite/names.hpp"
 #include "reference/number/number.hpp"
 
@@ -18,12 +19,13 @@ const std::vector<std::string>& cell_columns() {
 }
 
 const std::vector<std::string>& drawn_columns() {
-  static const std::vector<std::string> columns{"coordinate_range", "t_min", "t_max", "generator"};
+  static const std::vector<std::string> columns{"coordinate_range", "t_min", "t_max", "generator", "curves"};
   return columns;
 }
 
 std::vector<Field> drawn_fields(const sample::Cell& cell) {
-  return {cell.coordinate_range, cell.t_interval.min, cell.t_interval.max, cell.generator};
+  if (cell.slice) return {{}, {}, {}, field(suite::name(cell.slice->placement())), field(cell.slice->set().id)};
+  return {cell.coordinate_range, cell.t_interval.min, cell.t_interval.max, cell.generator, {}};
 }
 
 std::vector<Field> cell_fields(const suite::Study& study, const sample::Cell& cell, std::string_view method,
@@ -35,6 +37,9 @@ std::vector<Field> cell_fields(const suite::Study& study, const sample::Cell& ce
 }
 
 std::string describe(const suite::Study& study, const sample::Cell& cell, suite::ScalarKind scalar) {
+  if (cell.slice)
+    return fmt::format("study {}, {} {} degree {}, curves {}, {}", study.id, name(study.form), suite::name(scalar),
+                       cell.degree, cell.slice->set().id, suite::name(cell.slice->placement()));
   return fmt::format("study {}, {} {} degree {}, range {}, t in [{}, {}], generator {}", study.id, name(study.form),
                      suite::name(scalar), cell.degree, number::decimal(cell.coordinate_range),
                      number::decimal(cell.t_interval.min), number::decimal(cell.t_interval.max), cell.generator);

@@ -12,14 +12,15 @@
 
 namespace bezierbench::tables {
 
-/// study,form,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator
+/// study,form,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,curves
 const std::vector<std::string>& cell_columns();
 
 /// The fields of cell_columns().
 std::vector<Field> cell_fields(const suite::Study& study, const sample::Cell& cell, std::string_view method,
                                suite::ScalarKind scalar);
 
-/// coordinate_range,t_min,t_max,generator: how the inputs of a cell were drawn. These are the last of cell_columns().
+/// coordinate_range,t_min,t_max,generator,curves: how the inputs of a cell were drawn, or which curve set they are from; then the
+/// generator is the placement of its curves. These are the last of cell_columns().
 const std::vector<std::string>& drawn_columns();
 
 /// The fields of drawn_columns().

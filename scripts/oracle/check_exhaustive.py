@@ -20,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import exact  # noqa: E402
 from check_hard_cases import FORMATS  # noqa: E402
 
-CURVES = Path(__file__).resolve().parents[2] / "experiments/studies/exhaustive/named_curves.csv"
+CURVES = Path(__file__).resolve().parents[2] / "reference/curves/sets/named.csv"
 CHOSEN = ("css_ease", "circle_tangent", "glyph_hook", "hermite_slope_1", "wilkinson_5")
 FLOAT = FORMATS["float"]
 COUNT = 300  # floats of an interval
@@ -87,10 +87,10 @@ def ulp(x):
 def named():
     """{id: control coordinates of each axis}, as floats."""
     with open(CURVES, encoding="utf-8", newline="") as lines:
-        rows = list(csv.DictReader(lines))
-    numbers = {row["curve_id"]: [to_float(float(x)) for x in row["control_points"].split()] for row in rows}
-    return {row["curve_id"]: [numbers[row["curve_id"]][axis::int(row["dimension"])] for axis in range(int(row["dimension"]))]
-            for row in rows if row["curve_id"] in CHOSEN}
+        rows = [row for row in csv.DictReader(lines) if row["curve"] in CHOSEN]
+    axes = {curve: [[to_float(float(row[axis])) for row in rows if row["curve"] == curve and row[axis]] for axis in "xy"]
+            for curve in CHOSEN}
+    return {curve: [axis for axis in of_curve if axis] for curve, of_curve in axes.items()}
 
 
 def expected(axes, method, all_t):
@@ -118,7 +118,7 @@ def expected(axes, method, all_t):
 def table_of(program, intervals):
     lists = ", ".join(f"[{first!r}, {last!r}]" for first, last in intervals)
     suite = ('schema_version = 1\n[suite]\nid = "s"\ntitle = "Short intervals"\nseed = 1\n[[study]]\nid = "every"\nkind = "exhaustive"\n'
-             f"curves = {list(CHOSEN)}\nmethods = {list(METHODS)}\nt_interval = [{lists}]\n")
+             f"curves = {[f'named#{curve}' for curve in CHOSEN]}\nmethods = {list(METHODS)}\nt_interval = [{lists}]\n")
     with tempfile.TemporaryDirectory(prefix="bezierbench-exhaustive-") as place:
         file = Path(place) / "s.toml"
         file.write_text(suite, encoding="utf-8")

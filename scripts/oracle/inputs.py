@@ -29,6 +29,7 @@ WEIGHTED = {"id": "weights", "kind": "accuracy", "curve": "rational", "degree": 
 GRADED = {"id": "graded", "kind": "accuracy", "degree": [3], "coordinate_range": [10], "generator": ["graded"]}
 BSPLINE = {"id": "bspline", "kind": "accuracy", "degree": [3], "coordinate_range": [10], "generator": ["bspline"],
            "first_trials": 18}  # enough for every kind of knots
+LOCAL = {"id": "local", "kind": "accuracy", "degree": [3], "coordinate_range": [1000], "generator": ["local"]}
 TRIALS = 2
 MASK = (1 << 64) - 1
 
@@ -108,6 +109,10 @@ def continuous(r, stream):
 
 def distant(r, stream):
     return affine(r * (1 - 2.0**-20), r, stream)
+
+
+def local(r, stream):
+    return affine(r - 1, r, stream)
 
 
 def dyadic_t(a, b, stream):
@@ -260,7 +265,7 @@ def polynomial(curve, leading, roots):
     return doubles
 
 
-COORDINATES = {"continuous": continuous, "dyadic": continuous, "integer": integer, "report": report, "distant": distant,
+COORDINATES = {"continuous": continuous, "dyadic": continuous, "integer": integer, "report": report, "distant": distant, "local": local,
                "graded": graded, "weights_mild": continuous, "weights_wild": continuous}
 CURVES = {"cusp": cusp, "thin": thin}
 ROUNDED_CURVES = {"bspline": bspline}
@@ -317,6 +322,7 @@ def studies():
                 yield suite["suite"].get("seed", 1), study
     yield 1, WEIGHTED
     yield 1, GRADED
+    yield 1, LOCAL
     yield 1, BSPLINE
 
 

@@ -89,7 +89,7 @@ class Verification {
     to.push_back(fmt::format("{}: {}", place(name), what));
   }
   static bool is_known(std::string_view name) {
-    return contains(required_files, name) || name == sums_name || is_table_name(name);
+    return contains(required_files, name) || name == sums_name || is_table_name(name) || is_curves_name(name);
   }
 
   void check_suites(const SuiteReader& read_suites) {

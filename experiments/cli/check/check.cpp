@@ -14,6 +14,7 @@
 #include "experiments/cli/check/programs.hpp"
 #include "experiments/cli/check/report.hpp"
 #include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/startup/curve_sets.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/startup/this_build.hpp"
@@ -155,7 +156,9 @@ void compare_times(const CheckOptions& options, const fs::path& program, const f
 Suites suites_of_bundle(const fs::path& path) {
   bundle::CheckedReader reader(path, bundle::Damage::refused);
   constexpr const char* file = "suite.toml";
-  return suite::parse_suites(reader.read(file), reader.place(file), vocabulary_of_all_builds());
+  auto suites = suite::parse_suites(reader.read(file), reader.place(file), vocabulary_of_all_builds());
+  load_curves(suites);
+  return suites;
 }
 
 Exit check(const CheckOptions& options) {

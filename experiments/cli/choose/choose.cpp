@@ -13,8 +13,10 @@
 #include <utility>
 
 #include "experiments/bundle/csv.hpp"
+#include "experiments/cli/choose/choose_on_curves.hpp"
 #include "experiments/cli/choose/class_choice.hpp"
 #include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/startup/curve_sets.hpp"
 #include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/terminal/fitted.hpp"
@@ -35,6 +37,9 @@ using tables::ChoiceGroup;
 
 struct Wish {
   std::string bundle;
+  std::vector<std::string> curves;
+  bool measure = false;
+  std::optional<std::string> degree_text;
   int degree = 0;
   std::string tolerance_text;
   double tolerance = 0;
@@ -298,6 +303,14 @@ std::string none_is_accurate_enough(const JudgedRace& race, const Wish& wish) {
 }
 
 void read_numbers(Wish& wish) {
+  if (wish.degree_text) {
+    const auto degree = number::parse_integer(*wish.degree_text);
+    if (!degree || *degree < 0 || *degree > max_degree)
+      throw Failure(Exit::usage,
+                    fmt::format("--degree {}: must be a whole number from 0 to {}", *wish.degree_text, max_degree));
+    wish.degree = static_cast<int>(*degree);
+  }
+  if (wish.tolerance_text.empty()) return;  // no bundle is asked then
   const auto tolerance = number::parse_number(wish.tolerance_text);
   if (!tolerance || !(*tolerance >= 0) || !std::isfinite(*tolerance))
     throw Failure(Exit::usage, fmt::format("--tolerance {}: is not a number from 0 on; give the largest error that "
@@ -312,7 +325,35 @@ void read_numbers(Wish& wish) {
                                            *wish.range_text));
 }
 
+/// What --curves ranks. Throws Failure(usage) for options that need a bundle.
+Exit choose_on_curves(Wish wish) {
+  if (!wish.bundle.empty())
+    throw Failure(Exit::usage,
+                  fmt::format("--curves: cannot be combined with the bundle {}; remove one of them", wish.bundle));
+  read_numbers(wish);
+  return choose_on_curves(
+      CurvesWish{.files = wish.curves,
+                 .tolerance = wish.tolerance_text.empty() ? std::nullopt : std::optional(wish.tolerance),
+                 .tolerance_text = wish.tolerance_text,
+                 .unit = wish.unit,
+                 .mode = wish.mode,
+                 .scalar = wish.scalar,
+                 .degree = wish.degree_text ? std::optional(wish.degree) : std::nullopt,
+                 .measure = wish.measure,
+                 .format = wish.format});
+}
+
 Exit choose(Wish wish) {
+  if (!wish.curves.empty()) return choose_on_curves(std::move(wish));
+  for (const auto& [option, is_missing] :
+       {std::pair("BUNDLE", wish.bundle.empty()), std::pair("--degree", !wish.degree_text),
+        std::pair("--tolerance", wish.tolerance_text.empty())})
+    if (is_missing)
+      throw Failure(Exit::usage, fmt::format("{} is required; or name files of curves by --curves", option));
+  if (wish.unit != "u" && wish.unit != "coordinate")
+    throw Failure(
+        Exit::usage,
+        fmt::format("--unit {}: is for --curves; a bundle states largest errors in u or coordinate", wish.unit));
   read_numbers(wish);
   const auto evidence = read_evidence(wish);
   const auto races = judged_races(evidence, wish);
@@ -335,12 +376,18 @@ Exit choose(Wish wish) {
 
 void add_choose(Command program, Exit& exit) {
   auto wish = std::make_shared<Wish>();
-  auto command = program.command("choose", "list the methods of a bundle that are accurate enough, fastest first");
-  command.option("BUNDLE", wish->bundle, "folder of the bundle").required();
-  command.option("--degree", wish->degree, "degree of the curves").required();
-  command.option("--tolerance", wish->tolerance_text, "the largest error that is accepted").required();
-  command.option("--unit", wish->unit, "unit of the tolerance: u (units of u p~) or coordinate")
-      .one_of({"u", "coordinate"});
+  auto command = program.command("choose", "list the methods that are accurate enough, of a bundle or on given curves");
+  command.option("BUNDLE", wish->bundle, "folder of the bundle; none with --curves").takes(bundle_value);
+  command.option("--curves", wish->curves, "curve files or ids of shipped curve sets on which methods are judged")
+      .takes("FILE", shipped_curves);
+  command.option("--degree", wish->degree_text, "degree of the curves; with --curves, default: all");
+  command.option("--tolerance", wish->tolerance_text, "the largest error that is accepted; optional with --curves");
+  command
+      .option("--unit", wish->unit,
+              "unit of the tolerance: u (units of u p~) or coordinate; with --curves also ulp and size")
+      .one_of({"u", "ulp", "coordinate", "size"});
+  command.flag("--measure", wish->measure,
+               "with --curves: measure times instead of taking those of the shipped answers");
   command.option("--range", wish->range_text, "R of coordinates in [-R, R]; default: that of the timed curves");
   command.option("--form", wish->form, "form of the given curves").one_of(suite::all_words<Form>());
   command.option("--mode", wish->mode, "mode of the times").one_of(suite::all_words<suite::Mode>());

@@ -36,17 +36,18 @@ std::string words_of() {
 struct TypeText {
   std::string operator()(const suite::Kind* const* /*type*/) const { return "the id of a kind"; }
   std::string operator()(const std::string* /*type*/) const { return "a string"; }
-  std::string operator()(const Form* /*type*/) const { return "one of " + words_of<Form>(); }
+  template <suite::Worded Enum>
+  std::string operator()(const Enum* /*type*/) const {
+    return "one of " + words_of<Enum>();
+  }
   std::string operator()(const std::int64_t* /*type*/) const { return "a whole number"; }
   std::string operator()(const std::vector<int>* /*type*/) const { return "whole numbers"; }
   std::string operator()(const std::vector<double>* /*type*/) const { return "numbers"; }
   std::string operator()(const std::vector<suite::Interval>* /*type*/) const { return "pairs of numbers"; }
   std::string operator()(const std::vector<std::string>* /*type*/) const { return "strings"; }
-  std::string operator()(const std::vector<suite::ScalarKind>* /*type*/) const {
-    return "some of " + words_of<suite::ScalarKind>();
-  }
-  std::string operator()(const std::vector<suite::Mode>* /*type*/) const {
-    return "some of " + words_of<suite::Mode>();
+  template <suite::Worded Enum>
+  std::string operator()(const std::vector<Enum>* /*type*/) const {
+    return "some of " + words_of<Enum>();
   }
   std::string operator()(const std::vector<suite::Goal>* /*type*/) const { return "tables"; }
 };
@@ -96,6 +97,7 @@ std::vector<std::string> restrictions_of(const Kind& kind) {
     all.push_back(fmt::format("t_interval: {}, within 0 and 1", inputs.parameters_reason));
   if (inputs.parameters == suite::Parameters::whole)
     all.push_back(fmt::format("t_interval: [0, 1] only; {}", inputs.parameters_reason));
+  if (inputs.sets == suite::SetUse::none) all.push_back(fmt::format("no key curves: {}", inputs.sets_reason));
   if (inputs.independent_points) all.emplace_back("generator: none that draws a curve as a whole");
   if (!kind.has_baseline) all.emplace_back("baseline: exact only");
   return all;
@@ -150,7 +152,10 @@ Json goal_schema() {
 struct TypeSchema {
   Json operator()(const suite::Kind* const* /*type*/) const { return text_schema(); }
   Json operator()(const std::string* /*type*/) const { return text_schema(); }
-  Json operator()(const Form* /*type*/) const { return word_schema<Form>(); }
+  template <suite::Worded Enum>
+  Json operator()(const Enum* /*type*/) const {
+    return word_schema<Enum>();
+  }
   Json operator()(const std::int64_t* /*type*/) const { return whole_schema(); }
   Json operator()(const std::vector<int>* /*type*/) const { return list_schema(whole_schema()); }
   Json operator()(const std::vector<double>* /*type*/) const { return list_schema(number_schema()); }
@@ -158,10 +163,10 @@ struct TypeSchema {
     return list_schema({{"type", "array"}, {"minItems", 2}, {"maxItems", 2}, {"items", number_schema()}});
   }
   Json operator()(const std::vector<std::string>* /*type*/) const { return list_schema(text_schema()); }
-  Json operator()(const std::vector<suite::ScalarKind>* /*type*/) const {
-    return list_schema(word_schema<suite::ScalarKind>());
+  template <suite::Worded Enum>
+  Json operator()(const std::vector<Enum>* /*type*/) const {
+    return list_schema(word_schema<Enum>());
   }
-  Json operator()(const std::vector<suite::Mode>* /*type*/) const { return list_schema(word_schema<suite::Mode>()); }
   Json operator()(const std::vector<suite::Goal>* /*type*/) const { return list_schema(goal_schema()); }
 };
 
@@ -192,7 +197,11 @@ Json kind_schema(const Kind& kind, Json& definitions) {
     if (!definitions.contains(name)) definitions[name] = key;
     if (definitions[name] == key) key = {{"$ref", "#/definitions/" + name}};
     schema["properties"][std::string(field->key)] = std::move(key);
-    if (suite::is_required(kind, *field)) schema["required"].push_back(field->key);
+    if (!suite::is_required(kind, *field)) continue;
+    if (field->key == "degree" && kind.inputs.sets != suite::SetUse::none)  // curve sets have degrees
+      schema["anyOf"] = {{{"required", {"degree"}}}, {{"required", {"curves"}}}};
+    else
+      schema["required"].push_back(field->key);
   }
   return schema;
 }

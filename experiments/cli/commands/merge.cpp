@@ -4,6 +4,7 @@
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/commands/run_ending.hpp"
+#include "experiments/cli/startup/curve_sets.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
@@ -30,6 +31,8 @@ Exit merge(const MergeOptions& options) {
   const auto text = first.read_listed(name);
   const auto place = (first.path() / name).string();
   request.suites = suite::parse_suites(text, place, vocabulary());
+  load_curves(request.suites);
+  request.curve_files = curves_beside(request.suites);
   record_external(request, suite::parse_external(text, place));
   request.out = options.out;
   request.telling = options.quiet ? run::Telling::nothing : run::Telling::text;

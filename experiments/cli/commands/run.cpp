@@ -14,6 +14,7 @@
 #include "experiments/cli/commands/run_ending.hpp"
 #include "experiments/cli/commands/shard.hpp"
 #include "experiments/cli/external/external_options.hpp"
+#include "experiments/cli/startup/curve_sets.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/cli/startup/this_build.hpp"
@@ -62,6 +63,7 @@ Exit run(const RunOptions& options, const ExternalOptions& external) {
   request.telling = telling_of(options);
   if (request.telling == run::Telling::json) run::write_notes_as_json();
   request.suites = options.suites.read(known);
+  request.curve_files = curves_beside(request.suites);
   for (const auto& file : options.suites.files()) require_recorded(file.string(), methods);
   request.out = options.out;
   request.jobs = options.jobs;
@@ -85,6 +87,7 @@ void add_run(Command program, Exit& exit, std::span<const external::OwnMethod> o
   options->suites.add_suites(command);
   command.option("--out", options->out, "folder of the bundle").required().takes(folder_value);
   command.option("--jobs", options->jobs, "number of threads; default: all cores").within(1, 4096);
+  options->suites.add_curves(command);
   options->suites.add_changes(command);
   command.option("--reference", options->reference, "how the exact values are computed").one_of({"certified", "exact"});
   command.option("--shard", options->shard, "run part I of N; auto: taken from Open MPI, PMI or Slurm")

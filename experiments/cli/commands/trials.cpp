@@ -9,6 +9,7 @@
 
 #include "experiments/bundle/check/checked_reader.hpp"
 #include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/startup/curve_sets.hpp"
 #include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/judge/input_fields.hpp"
@@ -104,6 +105,7 @@ Chosen chosen(const TrialsOptions& options) {
   const auto known = vocabulary();
   constexpr const char* name = "suite.toml";
   auto suites = suite::parse_suites(reader.read(name), reader.place(name), known);
+  load_curves(suites);
   suite::apply(narrowing(options, {}), suites, known);
   const auto there = scalar_cells(only_study(suites, options.study));
   suite::apply(narrowing(options, options.set), suites, known);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "experiments/cli/startup/curve_sets.hpp"
 #include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/failure.hpp"
@@ -44,6 +45,13 @@ void SuiteOptions::add_changes(Command& command) {
   command.option("--only", overrides_.only, "run only studies whose id matches this pattern").takes("GLOB");
 }
 
+void SuiteOptions::add_curves(Command& command) {
+  command
+      .option("--curves", curves_,
+              "curve files, or ids of shipped curve sets, whose curves are the inputs of every study that takes curves")
+      .takes("FILE", shipped_curves);
+}
+
 void SuiteOptions::add_no_timing(Command& command) {
   command.flag("--no-timing", overrides_.no_timing, "skip timing studies");
 }
@@ -63,7 +71,13 @@ std::vector<suite::Suite> SuiteOptions::read(const suite::Vocabulary& known) con
     for (auto& one : suite::read_suites(file, known)) suites.push_back(std::move(one));
     suite::check_unique_ids(suites, file.string());
   }
+  if (!curves_.empty()) take_curves(suites, curves_);
   suite::apply(overrides, suites, known);
+  if (!curves_.empty())
+    for (const auto& one : suites)
+      for (const auto& study : one.studies)
+        if (const auto fault = suite::validate(study, known)) suite::refuse(study, *fault);
+  load_curves(suites);
   return suites;
 }
 

@@ -17,6 +17,8 @@ class SuiteOptions {
   void add_suites(Command& command);
   /// Adds --seed, --trials, --set and --only.
   void add_changes(Command& command);
+  /// Adds --curves.
+  void add_curves(Command& command);
   /// Adds --no-timing.
   void add_no_timing(Command& command);
 
@@ -27,6 +29,7 @@ class SuiteOptions {
 
  private:
   std::vector<std::string> words_;
+  std::vector<std::string> curves_;
   std::optional<std::string> seed_;
   std::optional<std::string> trials_;
   suite::Overrides overrides_;

@@ -27,20 +27,26 @@ fs::path folder_of_program() {
   return program.parent_path();
 }
 
-/// The link that CMake makes in the build folder.
-fs::path link_of_build() { return folder_of_program() / "suites"; }
+/// The link to the folder `name` that CMake makes in the build folder.
+fs::path link_of_build(const char* name) { return folder_of_program() / name; }
+
+fs::path shipped_folder(const char* name) {
+  std::error_code ignored;
+  const auto installed = folder_of_program().parent_path() / "share/bezierbench" / name;
+  for (const auto& folder : {installed, link_of_build(name)})
+    if (fs::is_directory(folder, ignored)) return folder;
+  throw Failure(Exit::environment,
+                fmt::format("{}: the shipped {} are missing; install the program with cmake --install, or name files",
+                            installed.string(), name));
+}
 
 }  // namespace
 
-fs::path suites_folder() {
-  std::error_code ignored;
-  const auto installed = folder_of_program().parent_path() / "share/bezierbench/suites";
-  for (const auto& folder : {installed, link_of_build()})
-    if (fs::is_directory(folder, ignored)) return folder;
-  throw Failure(Exit::environment, fmt::format("{}: the shipped suites are missing; install the program with cmake "
-                                               "--install, or name suites by their files",
-                                               installed.string()));
-}
+fs::path suites_folder() { return shipped_folder("suites"); }
+
+fs::path curves_folder() { return shipped_folder("curves"); }
+
+fs::path answers_folder() { return shipped_folder("answers"); }
 
 std::vector<std::string> shipped_suites() {
   std::vector<std::string> ids;
@@ -66,7 +72,7 @@ fs::path suite_file(const std::string& word) {
 
 fs::path script_of_source(const std::string& name) {
   std::error_code error;
-  const auto suites = fs::canonical(link_of_build(), error);
+  const auto suites = fs::canonical(link_of_build("suites"), error);
   const auto script = suites.parent_path().parent_path() / "scripts" / name;
   return !error && fs::exists(script, error) ? fs::proximate(script, error) : fs::path();
 }

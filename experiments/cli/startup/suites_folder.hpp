@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The suites that come with the program: files beside it, not a part of it, so that whoever installs it can read them.
+// The suites and curve sets that come with the program: files beside it, not a part of it, so that whoever installs it can read them.
 #pragma once
 
 #include <filesystem>
@@ -12,6 +12,12 @@ namespace bezierbench::cli {
 /// build folder `suites` there, a link that CMake makes to those of the source. Throws Failure(Exit::environment)
 /// where neither is there.
 std::filesystem::path suites_folder();
+
+/// The folder of the shipped curve sets, likewise; the file of a set is ID.csv.
+std::filesystem::path curves_folder();
+
+/// The bundle of the shipped answers, likewise.
+std::filesystem::path answers_folder();
 
 /// The ids of the suites in suites_folder(), in alphabetical order. The file of a suite is ID.toml.
 std::vector<std::string> shipped_suites();

@@ -7,6 +7,7 @@
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/peers/peers.hpp"
 #include "experiments/race/counters.hpp"
+#include "experiments/sample/curve_slice.hpp"
 #include "experiments/studies/external/external.hpp"
 #include "experiments/studies/roster.hpp"
 #include "git_facts.hpp"
@@ -16,7 +17,7 @@ namespace bezierbench::cli {
 run::RunRequest request_of_this_build(const external::Methods& external) {
   run::RunRequest request;
   request.kinds = {
-      studies::make_job, studies::tables_of,
+      sample::studies_of, studies::make_job, studies::tables_of,
       [external](const suite::Study& study, const suite::ExternalMethod& method, const run::JobContext& context) {
         return studies::external_job(study, method, external::find(external, method.id), context);
       },

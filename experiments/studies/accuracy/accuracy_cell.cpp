@@ -66,9 +66,19 @@ constexpr Column columns[]{
     {"mean_evaluation_error", source_field<&judge::SourceTallies::evaluation, mean>},
     {"max_evaluation_error", source_field<&judge::SourceTallies::evaluation, largest>},
     {"max_bound", [](const Statistics& s) { return s.bounded() ? field(s.judgement.bound) : tables::Field(); }},
-    {"unbounded_trials", [](const Statistics& s) {
+    {"unbounded_trials",
+     [](const Statistics& s) {
        return s.exact ? field(s.trials - static_cast<std::int64_t>(s.judgement.bounded)) : tables::Field();
-     }}};
+     }},
+    {"misrounded",
+     [](const Statistics& s) {
+       return s.judgement.coordinates > 0 ? tables::Field(static_cast<double>(s.judgement.misrounded) /
+                                                          static_cast<double>(s.judgement.coordinates))
+                                          : tables::Field();
+     }},
+    {"mean_error_size", judgement_field<&judge::Judgement::error_size, mean>},
+    {"p99_error_size", judgement_field<&judge::Judgement::error_size, p99>},
+    {"max_error_size", judgement_field<&judge::Judgement::error_size, largest>}};
 
 }  // namespace
 

@@ -129,6 +129,8 @@ extern constexpr StudyKind bspline_kind = companion_kind<BsplineProblem>(
                 .least_degree_reason = "B-spline curves of degree 0 are not continuous",
                 .parameters = suite::Parameters::from_0_to_1,
                 .parameters_reason = "the part of the knot span in which parameters lie",
+                .sets = suite::SetUse::none,
+                .sets_reason = "knots are drawn with the control points",
                 .independent_points = true}});
 
 }  // namespace bezierbench::studies

@@ -22,6 +22,7 @@
 #include "experiments/suite/fault.hpp"
 #include "experiments/suite/keys.hpp"
 #include "experiments/suite/names.hpp"
+#include "experiments/tables/cell_fields.hpp"
 #include "experiments/tables/statistics.hpp"
 #include "reference/error/norm.hpp"
 #include "reference/exact_conversion.hpp"
@@ -207,11 +208,13 @@ metric::Rows<ChainErrors> ConversionJob::work(std::size_t block) const {
 
 tables::Row ConversionJob::key_row(const sample::Cell& cell, const Chain& chain) const {
   tables::Row row("conversion.csv");
+  const auto drawn = tables::drawn_fields(cell);
   row.set("study", study_.id)
       .set("conversion", chain.id)
       .set("degree", cell.degree)
-      .set("coordinate_range", cell.coordinate_range)
-      .set("generator", cell.generator)
+      .set("coordinate_range", drawn[0])
+      .set("generator", drawn[3])
+      .set("curves", drawn[4])
       .set("trials", trials())
       .set("form", name(study_.form))
       .set("dimension", cell.dimension);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Studies of kind `exhaustive`: named curves at every float of an interval.
+// Studies of kind `exhaustive`: the curves of sets at every float of an interval.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,12 +18,12 @@
 #include "core/evaluate/kernel/prepared_state.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/run/interruption.hpp"
+#include "experiments/sample/curve_slice.hpp"
+#include "experiments/studies/exhaustive/float_curve.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
-#include "experiments/studies/exhaustive/named_curves.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/fault.hpp"
 #include "experiments/suite/names.hpp"
-#include "experiments/suite/pattern.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/float_values.hpp"
 #include "reference/number/number.hpp"
@@ -94,7 +94,7 @@ class PreparedMethod {
 
 /// A curve at the floats of an interval, with the methods that take it.
 struct Part {
-  const NamedCurve* curve;
+  const FloatCurve* curve;
   FloatRange range;
   Kernels kernels;
 
@@ -167,7 +167,7 @@ class BlockJudge {
 };
 
 /// The largest error of a coordinate at this t in ulp(p), rounded to 24 bits; empty where one is not finite.
-std::optional<double> exact_error(const NamedCurve& curve, const Kernel<float>& kernel, float t) {
+std::optional<double> exact_error(const FloatCurve& curve, const Kernel<float>& kernel, float t) {
   const auto point = PreparedMethod(kernel, curve.view()).point(t);
   reference::ExactCurve exact;
   double largest = 0;
@@ -188,11 +188,16 @@ std::optional<double> exact_error(const NamedCurve& curve, const Kernel<float>& 
 class ExhaustiveJob final : public run::JobOf<Tallies> {
  public:
   explicit ExhaustiveJob(const suite::Study& study) : study_(study) {
-    for (const NamedCurve* curve : chosen_curves())
+    for (const auto& set : study_.sets)
+      for (std::size_t k = 0; k < set->curves.size(); ++k)
+        if (set->curves[k].form == Form::bernstein) curves_.emplace_back(set->id, set->curves.id(k), set->curves[k]);
+    if (curves_.empty())
+      suite::refuse(study_, {"curves", 0, "kind", "the sets have no curve in Bernstein form without weights"});
+    for (const FloatCurve& curve : curves_)
       for (std::size_t k = 0; k < study_.t_interval.size(); ++k) {
         const auto range = floats_in(study_.t_interval[k]);
         if (!range) suite::refuse(study_, {"t_interval", k, {}, "there is no float in this t_interval; widen it"});
-        parts_.push_back({curve, *range, kernels_for(*curve)});
+        parts_.push_back({&curve, *range, kernels_for(curve)});
         blocks_ = std::max(blocks_, static_cast<std::size_t>((range->count() - 1) / block_points + 1));
       }
   }
@@ -226,29 +231,15 @@ class ExhaustiveJob final : public run::JobOf<Tallies> {
 
  private:
   [[nodiscard]] tables::Row key_row(const Part& part, const Kernel<float>& kernel) const;
-  [[nodiscard]] std::vector<const NamedCurve*> chosen_curves() const;
-  [[nodiscard]] Kernels kernels_for(const NamedCurve& curve) const;
+  [[nodiscard]] Kernels kernels_for(const FloatCurve& curve) const;
 
   suite::Study study_;
+  std::vector<FloatCurve> curves_;
   std::vector<Part> parts_;
   std::size_t blocks_ = 1;
 };
 
-std::vector<const NamedCurve*> ExhaustiveJob::chosen_curves() const {
-  const auto& patterns = study_.curves;
-  std::vector<std::string_view> ids;
-  for (const auto& curve : named_curves()) ids.push_back(curve.id);
-  for (std::size_t k = 0; k < patterns.size(); ++k)
-    if (std::ranges::none_of(ids, [&](auto id) { return suite::matches(patterns[k], id); }))
-      suite::refuse(study_, {"curves", k, {}, fmt::format("unknown curve; available are {}", fmt::join(ids, ", "))});
-  std::vector<const NamedCurve*> chosen;
-  for (const auto& curve : named_curves())
-    if (std::ranges::any_of(patterns, [&](const auto& pattern) { return suite::matches(pattern, curve.id); }))
-      chosen.push_back(&curve);
-  return chosen;
-}
-
-Kernels ExhaustiveJob::kernels_for(const NamedCurve& curve) const {
+Kernels ExhaustiveJob::kernels_for(const FloatCurve& curve) const {
   Kernels kernels;
   sample::Cell cell;
   cell.dimension = curve.dimension;
@@ -261,6 +252,7 @@ tables::Row ExhaustiveJob::key_row(const Part& part, const Kernel<float>& kernel
   tables::Row row("exhaustive.csv");
   row.set("study", study_.id)
       .set("curve_id", part.curve->id)
+      .set("curves", part.curve->set)
       .set("method", kernel.info->id)
       .set("scalar", suite::name(suite::ScalarKind::float32))
       .set("degree", part.curve->degree())
@@ -301,40 +293,26 @@ std::unique_ptr<run::Job> exhaustive_job(const suite::Study& study, const run::J
   return std::make_unique<ExhaustiveJob>(study);
 }
 
-constexpr std::array exhaustive_fields{suite::field<&suite::Study::curves>(
-    {.key = "curves",
-     .meaning = "ids or globs of named curves, see experiments/studies/exhaustive/named_curves.csv",
-     .example = "[\"css_*\", \"circle_tangent\"]",
-     .left_out = "nothing: it is required",
-     .required = true})};
-
-constexpr std::array<std::string_view, 6> keys_without{"dimension", "coordinate_range", "generator",
-                                                       "scalar",    "trials",           "replicates"};
-
-suite::Finding check_exhaustive(const suite::Study& study, const suite::Vocabulary& /*known*/) {
-  const auto& curves = study.curves;
-  if (curves.empty()) return suite::Fault{"curves", 0, {}, "curves is empty; name one, such as \"css_ease\""};
-  return suite::each("curves", curves, [](const std::string& pattern) {
-    return std::string(pattern.empty() ? "curves has an empty name; remove it" : "");
-  });
-}
+constexpr std::array<std::string_view, 10> keys_without{
+    "dimension", "coordinate_range", "generator",       "scalar",   "trials", "replicates",
+    "curve",     "parameters",       "parameters_from", "placement"};
 
 }  // namespace
 
 extern constexpr StudyKind exhaustive_kind{
     .asks = {.id = "exhaustive",
-             .about = "every float of an interval: the largest error on named curves, and where it is",
-             .own = exhaustive_fields,
+             .about = "every float of an interval: the largest error on the curves of sets, and where it is",
+             .own = {},
              .methods_example = "[\"de_casteljau*\"]",
              .inputs = {.forms = suite::bernstein_form,
-                        .forms_reason = "the named curves are Bezier curves",
+                        .forms_reason = "the range of a float is that of control points",
                         .degree = suite::DegreeUse::not_a_key,
-                        .degree_reason = "degree is that of the named curve",
+                        .degree_reason = "degree is that of the curve",
                         .parameters = suite::Parameters::from_0_to_1,
-                        .parameters_reason = "the named curves are those of t in [0, 1]"},
+                        .parameters_reason = "the curves are those of t in [0, 1]",
+                        .sets = suite::SetUse::required},
              .without = keys_without,
-             .without_reason = "curves are named, methods compute in float, and every t is tried",
-             .check = check_exhaustive},
+             .without_reason = "the curves are those of sets, methods compute in float, and every t is tried"},
     .make = exhaustive_job,
     .tables = {"exhaustive"}};
 

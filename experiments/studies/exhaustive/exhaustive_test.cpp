@@ -3,14 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <memory>
 
 #include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/workspace.hpp"
+#include "experiments/sample/curve_slice.hpp"
+#include "experiments/studies/exhaustive/float_curve.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
-#include "experiments/studies/exhaustive/named_curves.hpp"
 #include "experiments/studies/roster.hpp"
+#include "reference/curves/read.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/number/number.hpp"
 
@@ -20,11 +25,28 @@ namespace {
 /// A few thousand floats around 1/2, so that integers can judge them all.
 const suite::Interval few{0x1.ffap-2, 0x1.001p-1};
 
+/// Some curves of the shipped set `named`.
+void take(suite::Study& study, const std::vector<std::string>& ids) {
+  const std::string name = BEZIERBENCH_SOURCE_DIR "/reference/curves/sets/named.csv";
+  std::ifstream file(name);
+  const auto all = curves::read(std::string(std::istreambuf_iterator<char>(file), {}), name).set;
+  auto set = std::make_shared<sample::LoadedSet>();
+  set->id = "named";
+  for (const auto& id : ids) set->curves.add(id, all[all.find(id)]);
+  study.curves = {"named"};
+  study.sets = {set};
+}
+
+FloatCurve curve_of(const suite::Study& study, std::string_view id) {
+  const auto& set = *study.sets.front();
+  return {set.id, id, set.curves[set.curves.find(id)]};
+}
+
 suite::Study small_exhaustive_study() {
   suite::Study study;
   study.id = "every";
   study.kind = &kind("exhaustive");
-  study.curves = {"glyph_tail", "wilkinson_3"};
+  take(study, {"glyph_tail", "wilkinson_3"});
   study.methods = {"de_casteljau", "de_casteljau_lerp", "differences:horner", "correctly_rounded"};
   study.t_interval = {few};
   return study;
@@ -43,7 +65,7 @@ double value(const bundle::CsvDocument& table, std::size_t row, std::string_view
 }
 
 /// What the row of a method says, found in integers by the definitions of its columns.
-FloatTally by_definition(const NamedCurve& curve, const Kernel<float>& kernel, const FloatRange& range) {
+FloatTally by_definition(const FloatCurve& curve, const Kernel<float>& kernel, const FloatRange& range) {
   FloatTally tally;
   reference::ExactCurve exact;
   judge::PreparedStorage storage;
@@ -85,22 +107,23 @@ FloatTally by_definition(const NamedCurve& curve, const Kernel<float>& kernel, c
 }
 
 TEST(Exhaustive, RowsAreWhatTheIntegersSay) {
-  const auto table = table_of(small_exhaustive_study());
+  const auto study = small_exhaustive_study();
+  const auto table = table_of(study);
   const auto range = floats_in(few);
   ASSERT_TRUE(range);
   ASSERT_EQ(table.row_count(), 8U);
   for (std::size_t row = 0; row < table.row_count(); ++row) {
-    const auto curve = std::ranges::find(named_curves(), table.at(row, "curve_id"), &NamedCurve::id);
-    const auto* kernel = find_kernel<float>(table.at(row, "method"), Form::bernstein, curve->dimension);
+    const auto curve = curve_of(study, table.at(row, "curve_id"));
+    const auto* kernel = find_kernel<float>(table.at(row, "method"), Form::bernstein, curve.dimension);
     ASSERT_NE(kernel, nullptr);
-    const FloatTally expected = by_definition(*curve, *kernel, *range);
-    const auto what = curve->id + " " + table.at(row, "method");
+    const FloatTally expected = by_definition(curve, *kernel, *range);
+    const auto what = curve.id + " " + table.at(row, "method");
     EXPECT_EQ(value(table, row, "max_error_ulp"), expected.max_error) << what;
     EXPECT_EQ(value(table, row, "worst_t"), double{float_of(expected.worst_t)}) << what;
     EXPECT_EQ(value(table, row, "misrounded"), static_cast<double>(expected.misrounded)) << what;
     EXPECT_EQ(value(table, row, "out_of_hull"), static_cast<double>(expected.out_of_hull)) << what;
     EXPECT_EQ(value(table, row, "points"), static_cast<double>(range->count()));
-    if (curve->id == "wilkinson_3")
+    if (curve.id == "wilkinson_3")
       EXPECT_EQ(table.at(row, "non_monotone"), "");
     else
       EXPECT_EQ(value(table, row, "non_monotone"), static_cast<double>(expected.non_monotone)) << what;
@@ -115,7 +138,7 @@ TEST(Exhaustive, RowsAreWhatTheIntegersSay) {
 TEST(Exhaustive, BlocksChangeNothing) {
   auto study = small_exhaustive_study();
   study.kind = &kind("exhaustive");
-  study.curves = {"hermite_value_1"};
+  take(study, {"hermite_value_1"});
   study.methods = {"horner_bernstein"};
   study.t_interval = {{0x1p-2, 0x1.8p-1}};
   const auto job = make_job(study, {1});
@@ -131,13 +154,12 @@ TEST(Exhaustive, BlocksChangeNothing) {
             std::max(value(halves, 0, "max_error_ulp"), value(halves, 1, "max_error_ulp")));
 }
 
-TEST(Exhaustive, RefusesUnknownCurvesAndEmptyIntervals) {
+TEST(Exhaustive, RefusesSetsWithoutBezierCurvesAndEmptyIntervals) {
   auto study = small_exhaustive_study();
   study.kind = &kind("exhaustive");
-  study.curves = {"css_ease", "no_such_curve"};
+  take(study, {});
   EXPECT_THROW(make_job(study, {1}), Failure);
-  study.kind = &kind("exhaustive");
-  study.curves = {"css_ease"};
+  take(study, {"css_ease"});
   study.t_interval = {{0.1, 0.1}};
   EXPECT_THROW(make_job(study, {1}), Failure);
 }

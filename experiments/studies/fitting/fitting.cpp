@@ -148,6 +148,8 @@ extern constexpr StudyKind fitting_kind =
                                                .least_degree_reason = "data are taken from curves of degree 1 or more",
                                                .parameters = suite::Parameters::whole,
                                                .parameters_reason = "data are taken from whole curves",
+                                               .sets = suite::SetUse::none,
+                                               .sets_reason = "the data are taken from drawn curves",
                                                .independent_points = true},
                                     .check = check_fitting});
 

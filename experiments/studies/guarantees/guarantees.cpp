@@ -15,7 +15,7 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/run/blocks/trial_blocks.hpp"
-#include "experiments/sample/cell.hpp"
+#include "experiments/sample/curve_slice.hpp"
 #include "experiments/studies/guarantees/search_for_counterexample.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/fault.hpp"
@@ -136,9 +136,12 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
     const auto property = fmt::format("{}/{}", study_.id, name(question.statement->property));
     const auto cell = sample::key(question.cell);
     CounterexampleSearch<Scalar> search(*question.statement, *question.kernel, question.cell.degree);
+    const sample::Sampler sampler(seed_, study_.id, question.cell);
+    sample::Trial given;
     run::each_trial(trials, [&](std::int64_t trial) {
       sample::Words words(seed_, sample::key(property), cell, static_cast<std::uint64_t>(trial));
-      search.add_trial(words);
+      if (question.cell.slice) sampler.draw(static_cast<std::uint64_t>(trial), given);
+      search.add_trial(words, given.coefficients);
     });
     const auto scalar = suite::name(judge::ScalarFacts<Scalar>::kind);
     sample::Words words(seed_, sample::key(fmt::format("{}/{}/{}", property, question.method().id, scalar)), cell,
@@ -156,6 +159,7 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
         .set("dimension", question.cell.dimension)
         .set("degree", question.cell.degree)
         .set("property", name(question.statement->property));
+    if (question.cell.slice) row.set("curves", question.cell.slice->set().id);
     return row;
   }
 

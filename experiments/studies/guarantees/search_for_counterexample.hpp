@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -84,9 +85,12 @@ class CounterexampleSearch {
     input_.coefficients.resize(static_cast<std::size_t>((degree + 1) * kernel.dimension));
   }
 
-  /// A random input, which is counted.
-  void add_trial(sample::Words& words) {
+  /// A random input, which is counted. Its control points are `given`, if any are.
+  void add_trial(sample::Words& words, std::span<const double> given) {
     guarantees::Draws<Scalar>(words).full(input_, axes_);
+    const auto dimension = static_cast<std::size_t>(input_.dimension);
+    for (std::size_t k = 0; k < given.size(); ++k)
+      if (k % dimension < static_cast<std::size_t>(axes_)) input_.coefficients[k] = static_cast<Scalar>(given[k]);
     const auto excess = judged(input_);
     if (!excess) return;
     ++found_.trials;

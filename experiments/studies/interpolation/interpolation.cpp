@@ -133,6 +133,8 @@ extern constexpr StudyKind interpolation_kind =
                                                      .degree_reason = "degree is that of the segments, 3",
                                                      .parameters = suite::Parameters::whole,
                                                      .parameters_reason = "points are joined whole",
+                                                     .sets = suite::SetUse::none,
+                                                     .sets_reason = "splines go through drawn points",
                                                      .independent_points = true},
                                           .check = check_interpolation},
                                          {"interpolation"}, race::Size::points);

@@ -35,6 +35,7 @@ constexpr Spacing spacings[]{
 }  // namespace
 
 void add_spacing(tables::Tables& tables, const suite::Study& study, const sample::Cell& cell, std::uint64_t seed) {
+  const auto of = tables::drawn_fields(cell);
   sample::Trial drawn;
   sample::Sampler(seed, study.id, cell).draw(0, drawn);
   const CurveView<double> curve{Form::bernstein, cell.dimension, cell.degree, drawn.coefficients};
@@ -51,8 +52,9 @@ void add_spacing(tables::Tables& tables, const suite::Study& study, const sample
       row.set("study", study.id)
           .set("dimension", cell.dimension)
           .set("degree", cell.degree)
-          .set("coordinate_range", cell.coordinate_range)
-          .set("generator", cell.generator)
+          .set("coordinate_range", of[0])
+          .set("generator", of[3])
+          .set("curves", of[4])
           .set("trial", 0)
           .set("spacing", id)
           .set("index", k)

@@ -274,6 +274,7 @@ extern constexpr StudyKind roofline_kind{
              .about = "batch kernels against the peak of each instruction set, kernels for a point against its limit",
              .own = roofline_fields,
              .methods_example = "[\"horner_bernstein_fma\"]",
+             .inputs = {.sets = suite::SetUse::none, .sets_reason = "times do not depend on the curves"},
              .timed = true,
              .check = check_roofline},
     .make = roofline_job,

@@ -129,6 +129,7 @@ class Reader {
     for (const Field* field : fields_of(kind_of(out)))
       if (const toml::node* node = table.get(field->key); node != nullptr && node != kind)
         read(file_, *node, *field, out);
+    if (has_sets(out) && !table.contains("dimension")) out.dimension.clear();  // all that there are
     if (out.form == Form::rational && !table.contains("generator")) {
       const auto weighted = std::find_if(known_.generators.begin(), known_.generators.end(),
                                          [](const KnownGenerator& known) { return known.limits.weights; });

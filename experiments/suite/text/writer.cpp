@@ -20,7 +20,7 @@ std::string to_toml(std::span<const Suite> suites) {
     for (const Study& study : suite.studies) {
       fmt::format_to(out, "\n{}\n", one ? "[[study]]" : "[[suites.study]]");
       for (const Field* field : fields_of(kind_of(study)))
-        if (const std::string value = to_text(*field, study); !value.empty())
+        if (const std::string value = to_text(*field, study); !value.empty() && applies(*field, study))
           fmt::format_to(out, "{} = {}\n", field->key, value);
     }
   }

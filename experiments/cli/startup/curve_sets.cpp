@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/cli/startup/curve_sets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "experiments/bundle/bundle.hpp"
+#include "experiments/bundle/digest.hpp"
+#include "experiments/cli/curves_file.hpp"
+#include "experiments/cli/startup/suites_folder.hpp"
+#include "experiments/echo.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/sample/curve_slice.hpp"
+#include "experiments/suite/fault.hpp"
+#include "experiments/suite/kind.hpp"
+#include "experiments/suite/nearest.hpp"
+#include "experiments/suite/pattern.hpp"
+#include "reference/curves/csv.hpp"
+
+namespace bezierbench::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An entry of `curves`, taken apart.
+struct Entry {
+  fs::path file;
+  std::string id;
+  std::string glob;  ///< of the ids of curves; empty: all
+  bool is_shipped = false;
+};
+
+bool names_file(const std::string& word) {
+  constexpr std::array extensions{".csv", ".svg", ".ttf", ".otf", ".ttc", ".woff", ".woff2", ".json", ".txt"};
+  return word.find('/') != std::string::npos ||
+         std::ranges::any_of(extensions, [&](const char* end) { return word.ends_with(end); });
+}
+
+/// An id for a set of this file: a part of the names of files and a field of tables.
+std::string id_of(const fs::path& file) {
+  auto id = file.stem().string();
+  if (id.starts_with(bundle::curves_prefix)) id.erase(0, std::string_view(bundle::curves_prefix).size());
+  for (char& c : id)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_' && c != '-' && c != '.') c = '_';
+  return id;
+}
+
+Entry entry_of(const suite::Study& study, std::size_t number) {
+  std::string word = study.curves[number];
+  const fs::path folder = fs::path(study.places.file).parent_path();
+  Entry entry;
+  if (const auto mark = word.rfind('#'); mark != std::string::npos && !fs::exists(folder / word)) {
+    entry.glob = word.substr(mark + 1);
+    word.erase(mark);
+  }
+  if (names_file(word)) {
+    entry.file = folder / word;
+    entry.id = id_of(entry.file);
+    return entry;
+  }
+  const auto ids = shipped_curves();
+  if (std::ranges::find(ids, word) == ids.end())
+    suite::refuse(study, {"curves",
+                          number,
+                          {},
+                          fmt::format("unknown curve set \"{}\"{}; for a file, write ./{}", echo(word),
+                                      suite::suggestion(word, ids), echo(word))});
+  entry.file = curves_folder() / (word + ".csv");
+  entry.id = word;
+  entry.is_shipped = true;
+  return entry;
+}
+
+curves::CurveSet matching(const curves::CurveSet& all, const std::string& glob) {
+  curves::CurveSet some;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (suite::matches(glob, all.id(k))) some.add(all.id(k), all[k], all.begins_path(k), all.parameters(k));
+  return some;
+}
+
+std::shared_ptr<const sample::LoadedSet> loaded(const suite::Study& study, std::size_t number, const Entry& entry) {
+  auto set = std::make_shared<sample::LoadedSet>();
+  set->id = entry.glob.empty() ? entry.id : fmt::format("{}#{}", entry.id, entry.glob);
+  set->curves = read_curve_set(entry.file.string()).set;
+  if (!entry.glob.empty()) set->curves = matching(set->curves, entry.glob);
+  if (set->curves.empty())
+    suite::refuse(study, {"curves",
+                          number,
+                          {},
+                          fmt::format("{} has no such curve; see `bezierbench curves {}`", echo(study.curves[number]),
+                                      echo(entry.file.string()))});
+  set->sha256 = bundle::sha256_hex(set->curves.canonical_bytes());
+  return set;
+}
+
+std::string name_beside(const std::string& set_id) {
+  auto id = set_id;
+  std::ranges::replace_if(
+      id, [](char c) { return c == '#' || c == '*' || c == '?' || c == ':' || c == '/'; }, '_');
+  return fmt::format("{}{}.csv", bundle::curves_prefix, id);
+}
+
+template <class Visit>
+void each_study_of_sets(std::vector<suite::Suite>& suites, const Visit& visit) {
+  for (auto& one : suites)
+    for (auto& study : one.studies)
+      if (suite::has_sets(study)) visit(study);
+}
+
+}  // namespace
+
+std::vector<std::string> shipped_curves() {
+  std::vector<std::string> ids;
+  for (const auto& entry : fs::directory_iterator(curves_folder()))
+    if (entry.path().extension() == ".csv") ids.push_back(entry.path().stem().string());
+  std::ranges::sort(ids);
+  return ids;
+}
+
+void load_curves(std::vector<suite::Suite>& suites) {
+  std::map<std::string, std::shared_ptr<const sample::LoadedSet>> read;  // by file and glob
+  each_study_of_sets(suites, [&](suite::Study& study) {
+    const auto stated = std::exchange(study.curves_sha256, {});
+    study.sets.clear();
+    for (std::size_t k = 0; k < study.curves.size(); ++k) {
+      const Entry entry = entry_of(study, k);
+      auto& set = read[fmt::format("{}#{}", entry.file.string(), entry.glob)];
+      if (!set) set = loaded(study, k, entry);
+      if (!stated.empty() && stated[k] != set->sha256)
+        suite::refuse(study, {"curves_sha256", k, "curves",
+                              fmt::format("the numbers of {} have the SHA-256 {}, not {}; restore the set, or leave "
+                                          "curves_sha256 out",
+                                          echo(study.curves[k]), set->sha256, echo(stated[k]))});
+      study.sets.push_back(set);
+      study.curves_sha256.push_back(set->sha256);
+    }
+  });
+}
+
+std::vector<std::pair<std::string, std::string>> curves_beside(std::vector<suite::Suite>& suites) {
+  std::map<std::string, std::shared_ptr<const sample::LoadedSet>> copied;  // by name
+  each_study_of_sets(suites, [&](suite::Study& study) {
+    for (std::size_t k = 0; k < study.curves.size(); ++k) {
+      if (entry_of(study, k).is_shipped) continue;
+      const auto& set = study.sets[k];
+      const auto name = name_beside(set->id);
+      const auto [at, is_new] = copied.emplace(name, set);
+      if (!is_new && at->second->sha256 != set->sha256)
+        suite::refuse(study,
+                      {"curves", k, {}, fmt::format("two sets have the id {}; rename one of the files", set->id)});
+      study.curves[k] = name;
+    }
+  });
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const auto& [name, set] : copied) files.emplace_back(name, curves::to_csv(set->curves));
+  return files;
+}
+
+void take_curves(std::vector<suite::Suite>& suites, const std::vector<std::string>& files) {
+  for (auto& one : suites) {
+    std::erase_if(one.studies,
+                  [](const auto& study) { return suite::kind_of(study).inputs.sets == suite::SetUse::none; });
+    for (auto& study : one.studies) {
+      for (const auto* field : suite::fields_of(suite::kind_of(study)))
+        if (field->curves == suite::Curves::drawn) study.places.keys.erase(std::string(field->key));
+      study.curves.clear();
+      for (const auto& file : files) study.curves.push_back(names_file(file) ? fs::absolute(file).string() : file);
+      study.curves_sha256.clear();
+      study.degree.clear();
+      study.dimension.clear();
+      study.places.options["curves"] = fmt::format("--curves {}", echo(files.front()));
+    }
+  }
+  std::erase_if(suites, [](const auto& one) { return one.studies.empty(); });
+  if (suites.empty())
+    throw Failure(Exit::usage, fmt::format("--curves {}: no study of the suite takes curves; choose another suite",
+                                           echo(files.front())));
+}
+
+}  // namespace bezierbench::cli
