@@ -14,11 +14,11 @@
 #include <utility>
 
 #include "experiments/cli/terminal/wrapped.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/terminal.hpp"
+#include "reference/number/echo.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

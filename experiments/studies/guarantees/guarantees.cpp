@@ -10,11 +10,9 @@
 #include <vector>
 
 #include "core/evaluate/guarantee.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/studies/guarantees/search_for_counterexample.hpp"
@@ -22,6 +20,8 @@
 #include "experiments/suite/fault.hpp"
 #include "experiments/suite/keys.hpp"
 #include "experiments/suite/names.hpp"
+#include "reference/number/echo.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 namespace {
