@@ -67,7 +67,6 @@ TABLE = {
 # Additions to the table: (files, what they may include as well, why).
 ADDITIONS = [
     (r"experiments/", "experiments/failure.hpp", "exit codes are one vocabulary"),
-    (r"experiments/", "experiments/echo.hpp", "what came from a file is shown in one way"),
     (r"experiments/(run|cli)/", "experiments/terminal.hpp", "progress and lists fit the terminal"),
     (r"experiments/", "experiments/number", "values as bytes are one format"),
     (r"experiments/", "reference/number", "how a number is written is one spelling"),

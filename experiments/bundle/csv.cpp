@@ -9,8 +9,8 @@
 #include <unordered_set>
 #include <utility>
 
-#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::bundle {
 namespace {

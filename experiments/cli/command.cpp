@@ -14,10 +14,10 @@
 #include <utility>
 
 #include "experiments/cli/terminal/wrapped.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/terminal.hpp"
+#include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {

@@ -11,8 +11,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
+#include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::external {

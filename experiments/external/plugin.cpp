@@ -12,11 +12,11 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/digest.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/external/code.hpp"
 #include "experiments/external/method.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/bytes.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::external {
 namespace {

@@ -13,10 +13,10 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/digest.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/external/code.hpp"
 #include "experiments/external/method.hpp"
 #include "experiments/failure.hpp"
+#include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::external {

@@ -6,9 +6,9 @@
 #include <atomic>
 #include <cstdio>
 
-#include "experiments/echo.hpp"
 #include "experiments/run/progress.hpp"
 #include "experiments/terminal.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::run {
 namespace {

@@ -13,7 +13,7 @@ enum class Telling { nothing, text, json };
 /// From now on note() writes JSON, so that everything on standard error is.
 void write_notes_as_json();
 
-/// Writes one line, escaped by experiments/echo.hpp. `head` is put before it, in colour on a terminal.
+/// Writes one line, escaped by reference/number/echo.hpp. `head` is put before it, in colour on a terminal.
 void note(const std::string& line, std::string_view head = {});
 
 /// Writes one line of JSON as it is.

@@ -12,8 +12,8 @@
 #include <string>
 #include <utility>
 
-#include "experiments/echo.hpp"
 #include "experiments/terminal.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::run {
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "experiments/bundle/check/verify.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/run/blocks/parallel_ranges.hpp"
 #include "experiments/run/blocks/share.hpp"
@@ -19,6 +18,7 @@
 #include "experiments/run/plan.hpp"
 #include "experiments/run/progress.hpp"
 #include "experiments/run/run_folder.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::run {
 namespace {

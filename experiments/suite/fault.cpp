@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/suite/fault.hpp"
 
-#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::suite {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/echo.hpp"
 #include "experiments/suite/nearest.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::suite {
 

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "core/curve_view.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/pattern.hpp"
+#include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::suite {

@@ -1,10 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "reference/curves/curve_set.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
+#include <optional>
 
 namespace bezierbench::curves {
+namespace {
+
+/// The text before the number at the end of an id.
+std::string_view stem_of(std::string_view id) { return id.substr(0, id.find_last_not_of("0123456789") + 1); }
+
+/// Whether the number `next`, in decimal digits, is one more than `last`.
+bool counts_on(std::string_view last, std::string_view next) {
+  const auto value = [](std::string_view digits) {
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    return error == std::errc() && end == digits.data() + digits.size() ? std::optional(number) : std::nullopt;
+  };
+  const auto from = value(last);
+  const auto to = value(next);
+  return from && to && *to == *from + 1;
+}
+
+}  // namespace
 
 void CurveSet::add(std::string_view id, const CurveView<double>& curve, bool begins_path,
                    std::span<const double> parameters) {
@@ -39,6 +59,17 @@ std::span<const double> CurveSet::parameters(std::size_t k) const {
   const auto curve = (*this)[k];
   return std::span(numbers_).subspan(curves_[k].numbers + curve.coefficients.size() + curve.weights.size(),
                                      curves_[k].parameters);
+}
+
+bool CurveSet::continues_path(std::string_view id, const CurveView<double>& curve) const {
+  if (empty()) return false;
+  const auto last = (*this)[size() - 1];
+  const auto last_id = this->id(size() - 1);
+  if (last.form == Form::power || curve.form == Form::power || last.dimension != curve.dimension) return false;
+  const auto d = static_cast<std::size_t>(curve.dimension);
+  const auto stem = stem_of(id);
+  return std::ranges::equal(last.coefficients.last(d), curve.coefficients.first(d)) && stem == stem_of(last_id) &&
+         counts_on(last_id.substr(stem.size()), id.substr(stem.size()));
 }
 
 std::size_t CurveSet::find(std::string_view id_or_number) const {

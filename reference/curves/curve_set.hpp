@@ -32,6 +32,11 @@ class CurveSet {
   /// each is the start of the next.
   [[nodiscard]] bool begins_path(std::size_t k) const { return curves_[k].begins_path; }
 
+  /// Whether `curve` continues the path of the last curve of the set, where nothing but their ids says so: it starts at
+  /// the point where that one ends, and the ids are equal but for a number at the end that grows by one (3 after 2,
+  /// logo:0:3 after logo:0:2). Curves in power form have no such ends.
+  [[nodiscard]] bool continues_path(std::string_view id, const CurveView<double>& curve) const;
+
   /// The curve with this id, or else with this number from 0; size() where there is none.
   [[nodiscard]] std::size_t find(std::string_view id_or_number) const;
 

@@ -15,7 +15,7 @@
 #include "experiments/bundle/check/few_lines.hpp"
 #include "experiments/bundle/schema/columns.hpp"
 #include "experiments/bundle/schema/tables_schema.hpp"
-#include "experiments/echo.hpp"
+#include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::bundle {

@@ -19,7 +19,6 @@
 #include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/race/race.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/kind.hpp"
@@ -27,6 +26,7 @@
 #include "experiments/suite/pattern.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "experiments/suite/text/writer.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::cli {
 namespace {

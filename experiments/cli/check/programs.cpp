@@ -15,10 +15,10 @@
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/terminal/shell_word.hpp"
 #include "experiments/compare/side.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/tables/table_row.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::cli {
 namespace {

@@ -12,9 +12,9 @@
 #include "experiments/cli/commands/comparison_text.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/compare/comparison.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/requirements/requirements.hpp"
 #include "experiments/tables/table_row.hpp"
+#include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {

@@ -22,11 +22,11 @@
 #include "experiments/cli/terminal/fitted.hpp"
 #include "experiments/cli/terminal/shell_word.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/metric/pareto.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/choices.hpp"
 #include "experiments/terminal.hpp"
+#include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {

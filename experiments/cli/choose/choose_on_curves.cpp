@@ -18,7 +18,6 @@
 #include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/cli/terminal/fitted.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/metric/pareto.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/sample/curve_slice.hpp"
@@ -26,6 +25,7 @@
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/table_row.hpp"
 #include "experiments/terminal.hpp"
+#include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {

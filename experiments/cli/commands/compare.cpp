@@ -15,8 +15,8 @@
 #include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/suite/pattern.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::cli {
 namespace {

@@ -11,10 +11,10 @@
 #include "experiments/cli/terminal/fitted.hpp"
 #include "experiments/cli/terminal/shell_word.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/suite.hpp"
 #include "experiments/terminal.hpp"
+#include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {

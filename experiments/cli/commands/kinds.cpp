@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "experiments/cli/terminal/wrapped.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/goal.hpp"
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/nearest.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::cli {
 namespace {

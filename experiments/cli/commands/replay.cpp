@@ -13,12 +13,12 @@
 #include "experiments/cli/external/external_options.hpp"
 #include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/guarantees/statements.hpp"
 #include "experiments/judge/error_sources.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
 #include "experiments/studies/external/external.hpp"
+#include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {

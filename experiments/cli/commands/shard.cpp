@@ -6,8 +6,8 @@
 #include <array>
 #include <optional>
 
-#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
+#include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {

@@ -16,9 +16,9 @@
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/run/plan.hpp"
 #include "experiments/suite/text/reader.hpp"
+#include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {

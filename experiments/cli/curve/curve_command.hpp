@@ -19,10 +19,10 @@
 #include "experiments/cli/command.hpp"
 #include "experiments/cli/curve/curve_file.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/suite/pattern.hpp"
 #include "reference/exact_point.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::cli {
 

@@ -13,8 +13,8 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/csv.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
+#include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {

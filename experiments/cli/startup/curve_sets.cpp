@@ -14,7 +14,6 @@
 #include "experiments/bundle/digest.hpp"
 #include "experiments/cli/curves_file.hpp"
 #include "experiments/cli/startup/suites_folder.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/sample/curve_slice.hpp"
 #include "experiments/suite/fault.hpp"
@@ -22,6 +21,7 @@
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/pattern.hpp"
 #include "reference/curves/csv.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::cli {
 namespace {

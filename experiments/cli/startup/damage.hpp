@@ -10,7 +10,7 @@
 
 #include "experiments/bundle/check/checked_reader.hpp"
 #include "experiments/cli/command.hpp"
-#include "experiments/echo.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::cli {
 

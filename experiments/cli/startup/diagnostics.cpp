@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <string_view>
 
-#include "experiments/echo.hpp"
 #include "experiments/run/notes.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::cli {
 

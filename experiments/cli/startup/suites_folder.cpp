@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <system_error>
 
-#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/suite/nearest.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::cli {
 namespace {

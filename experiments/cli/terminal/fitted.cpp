@@ -7,8 +7,8 @@
 #include <cstdint>
 
 #include "experiments/cli/terminal/wrapped.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/terminal.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::cli {
 namespace {

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/evaluate/guarantee.hpp"
-#include "experiments/echo.hpp"
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
@@ -21,6 +20,7 @@
 #include "experiments/suite/fault.hpp"
 #include "experiments/suite/keys.hpp"
 #include "experiments/suite/names.hpp"
+#include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::studies {

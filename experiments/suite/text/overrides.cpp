@@ -9,13 +9,13 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/pattern.hpp"
 #include "experiments/suite/text/toml_value.hpp"
 #include "experiments/suite/validate.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::suite {
 namespace {

@@ -15,7 +15,6 @@
 #include <system_error>
 #include <utility>
 
-#include "experiments/echo.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/suite/external.hpp"
 #include "experiments/suite/fault.hpp"
@@ -23,6 +22,7 @@
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/text/toml_value.hpp"
 #include "experiments/suite/validate.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::suite {
 namespace {

@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/echo.hpp"
 #include "experiments/suite/field.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/suite.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::suite {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/echo.hpp"
+#include "reference/number/echo.hpp"
 
 #include <gtest/gtest.h>
 

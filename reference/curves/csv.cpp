@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: MIT
+#include "reference/curves/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "reference/curves/place.hpp"
+#include "reference/number/echo.hpp"
+#include "reference/number/number.hpp"
+
+namespace bezierbench::curves {
+namespace {
+
+constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
+constexpr std::size_t most_parameters = std::numeric_limits<std::uint16_t>::max();
+
+/// Whether a line has numbers only, separated in any way that data are found in.
+bool has_numbers_only(std::string_view line) {
+  constexpr std::string_view separators = ",; \t\r()[]{}";
+  auto begin = line.find_first_not_of(separators);
+  const bool any = begin != std::string_view::npos;
+  while (begin != std::string_view::npos) {
+    const auto end = std::min(line.find_first_of(separators, begin), line.size());
+    if (!number::parse_number(line.substr(begin, end - begin))) return false;
+    begin = line.find_first_not_of(separators, end);
+  }
+  return any;
+}
+
+/// Cuts a text into records, one at a time.
+class Records {
+ public:
+  Records(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+
+  [[nodiscard]] bool done() const { return position_ == text_.size(); }
+  /// The line, from 1, at which the last record begins.
+  [[nodiscard]] std::size_t line() const { return record_line_; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// Fields of the last record; valid until the next one.
+  [[nodiscard]] const std::vector<std::string_view>& fields() const { return fields_; }
+
+  [[noreturn]] void refuse(std::size_t line, std::string_view what) const {
+    throw Unreadable(fmt::format("{}:{}: {}", name_, line, what));
+  }
+
+  void next() {
+    record_line_ = line_;
+    fields_.clear();
+    unquoted_.clear();
+    if (take_line_end()) refuse(record_line_, "blank line; remove it");
+    for (;;) {
+      fields_.push_back(peek() == '"' ? quoted() : plain());
+      if (done() || take_line_end()) break;
+      if (peek() != ',')
+        refuse(line_, "text after a closing quote; put the whole field in quotes, inner quotes doubled");
+      ++position_;
+    }
+    for (auto& [field, text] : unquoted_) fields_[field] = text;
+  }
+
+ private:
+  [[nodiscard]] char peek() const { return done() ? '\0' : text_[position_]; }
+
+  bool take_line_end() {
+    const auto rest = text_.substr(position_);
+    const std::size_t length = rest.starts_with("\r\n") ? 2 : (rest.starts_with('\n') ? 1 : 0);
+    position_ += length;
+    line_ += length > 0 ? 1 : 0;
+    return length > 0;
+  }
+
+  std::string_view plain() {
+    const auto end = std::min(text_.find_first_of(",\r\n\"", position_), text_.size());
+    const auto field = text_.substr(position_, end - position_);
+    position_ = end;
+    if (peek() == '"') refuse(line_, "quote inside a field; put the whole field in quotes, inner quotes doubled");
+    if (peek() == '\r' && !text_.substr(position_).starts_with("\r\n"))
+      refuse(line_, "carriage return without a line feed; end lines with \\n or \\r\\n");
+    return field;
+  }
+
+  std::string_view quoted() {
+    const auto first_line = line_;
+    const auto begin = ++position_;
+    std::string text;
+    for (bool plain = true;; plain = false) {
+      const auto quote = text_.find('"', position_);
+      if (quote == std::string_view::npos) refuse(first_line, "quote is never closed; close it or restore the file");
+      const auto part = text_.substr(position_, quote - position_);
+      line_ += static_cast<std::size_t>(std::ranges::count(part, '\n'));
+      position_ = quote + 1;
+      if (peek() != '"' && plain) return text_.substr(begin, quote - begin);
+      text += part;
+      if (peek() != '"') break;
+      text += '"';
+      ++position_;
+    }
+    unquoted_.emplace_back(fields_.size(), std::move(text));
+    return {};
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  std::size_t position_ = 0;
+  std::size_t line_ = 1;
+  std::size_t record_line_ = 1;
+  std::vector<std::string_view> fields_;
+  std::vector<std::pair<std::size_t, std::string>> unquoted_;  ///< fields with doubled quotes
+};
+
+/// The places of the columns in a record.
+struct Columns {
+  std::vector<std::size_t> axes;
+  std::optional<std::size_t> curve;
+  std::optional<std::size_t> index;
+  std::optional<std::size_t> form;
+  std::optional<std::size_t> weight;
+  std::optional<std::size_t> t;
+};
+
+std::vector<std::string> header_of(Records& records) {
+  records.next();
+  std::vector<std::string> header(records.fields().begin(), records.fields().end());
+  std::unordered_set<std::string_view> seen;
+  for (const auto& name : header) {
+    if (name.empty()) records.refuse(1, "a column has no name; name every column");
+    if (!seen.insert(name).second) records.refuse(1, fmt::format("column '{}' occurs twice; keep one", echo(name)));
+  }
+  return header;
+}
+
+Columns columns_of(const std::vector<std::string>& header, const Records& records) {
+  Columns columns;
+  std::size_t known = 0;
+  const auto place = [&](std::string_view name) -> std::optional<std::size_t> {
+    const auto found = std::ranges::find(header, name);
+    if (found == header.end()) return std::nullopt;
+    ++known;
+    return static_cast<std::size_t>(found - header.begin());
+  };
+  for (const auto axis : axes) {
+    const auto found = place(axis);
+    if (!found) break;
+    columns.axes.push_back(*found);
+  }
+  columns.curve = place("curve");
+  if (!columns.curve) columns.curve = place("segment");
+  columns.index = place("index");
+  columns.form = place("form");
+  columns.weight = place("w");
+  columns.t = place("t");
+  const bool several = columns.curve || columns.index || columns.form;
+  if (columns.axes.empty() || known != header.size() || (several && !(columns.curve && columns.index)))
+    records.refuse(1, fmt::format("header is \"{}\"; write x, or x,y, or x,y,z, and w for the weights of a rational "
+                                  "curve; before these curve,index for several curves",
+                                  echo(fmt::format("{}", fmt::join(header, ",")))));
+  return columns;
+}
+
+/// Reads the curves of a file one after the other, row by row.
+class Reader {
+ public:
+  Reader(Records& records, Form form)
+      : records_(records), header_(header_of(records)), columns_(columns_of(header_, records)), form_(form) {}
+
+  Read read() {
+    while (!records_.done()) {
+      records_.next();
+      ++row_;
+      if (records_.fields().size() != header_.size())
+        records_.refuse(records_.line(),
+                        fmt::format("row has {}, the header has {}; add or remove fields, or restore the file",
+                                    count_of_fields(records_.fields().size()), header_.size()));
+      add_row();
+    }
+    if (row_ == 0) throw Unreadable(fmt::format("{}: no coefficients; write one per row", records_.name()));
+    finish_curve();
+    require_distinct_ids();
+    return std::move(result_);
+  }
+
+ private:
+  /// The curve whose rows are being read.
+  struct Pending {
+    std::string id;
+    std::string form;
+    std::size_t rows = 0;
+    std::size_t coefficients = 0;
+    std::size_t dimension = 0;
+    bool weighted = false;
+    std::size_t first_row = 0;
+    std::size_t first_line = 0;
+    std::vector<double> numbers;
+    std::vector<double> weights;
+    std::vector<double> parameters;
+  };
+
+  static std::string count_of_fields(std::size_t count) {
+    return fmt::format("{} {}", count, count == 1 ? "field" : "fields");
+  }
+
+  [[noreturn]] void refuse(const std::string& what) const { records_.refuse(records_.line(), what); }
+  [[noreturn]] void refuse_repeated(std::size_t line, std::string_view id) const {
+    records_.refuse(line,
+                    fmt::format("curve \"{}\" has rows above already; write the rows of a curve together", echo(id)));
+  }
+
+  [[nodiscard]] std::string_view field(std::size_t column) const { return records_.fields()[column]; }
+  [[nodiscard]] bool is_empty(const std::optional<std::size_t>& column) const {
+    return !column || field(*column).empty();
+  }
+
+  /// The finite number in a field of the row.
+  [[nodiscard]] double number_at(std::size_t column) const {
+    const auto value = number::parse_number(field(column));
+    if (!value || !std::isfinite(*value))
+      refuse(fmt::format("row {}, column {}: \"{}\" {}", row_, header_[column], echo(field(column)),
+                         number::fault(field(column))));
+    return *value;
+  }
+
+  void add_row() {
+    const auto id = columns_.curve ? field(*columns_.curve) : std::string_view();
+    if (curve_.rows == 0 || id != curve_.id) {
+      finish_curve();
+      begin_curve(id);
+    }
+    if (columns_.index && field(*columns_.index) != std::to_string(curve_.rows)) {
+      for (std::size_t k = 0; k < result_.set.size() && curve_.rows == 0; ++k)
+        if (result_.set.id(k) == id) refuse_repeated(records_.line(), id);
+      refuse(fmt::format("index is \"{}\", here must be {}; write the rows of a curve in order, from 0",
+                         echo(field(*columns_.index)), curve_.rows));
+    }
+    if (columns_.form && field(*columns_.form) != curve_.form)
+      refuse(fmt::format("form is \"{}\", but \"{}\" above; a curve has one", echo(field(*columns_.form)),
+                         echo(curve_.form)));
+    if (!is_empty(columns_.t)) {
+      if (curve_.parameters.size() == most_parameters)
+        refuse(fmt::format("column t: more than {} parameters of one curve; leave some out", most_parameters));
+      curve_.parameters.push_back(number_at(*columns_.t));
+    }
+    const bool parameter_alone = curve_.rows > 0 && !is_empty(columns_.t) && is_empty(columns_.weight) &&
+                                 std::ranges::all_of(columns_.axes, [&](auto axis) { return field(axis).empty(); });
+    if (parameter_alone)
+      parameters_only_ = true;
+    else
+      add_coefficient();
+    ++curve_.rows;
+  }
+
+  void add_coefficient() {
+    if (parameters_only_) refuse("a coefficient below a row with t alone; write the coefficients first");
+    if (++curve_.coefficients > static_cast<std::size_t>(max_degree) + 1) return;  // finish_curve() states the count
+    for (std::size_t k = 0; k < columns_.axes.size(); ++k) {
+      const auto column = columns_.axes[k];
+      if (k < curve_.dimension)
+        curve_.numbers.push_back(number_at(column));
+      else if (!field(column).empty())
+        refuse(fmt::format("row {}, column {}: the rows of this curve above have none; give all or none", row_,
+                           header_[column]));
+    }
+    if (curve_.weighted)
+      curve_.weights.push_back(number_at(*columns_.weight));
+    else if (!is_empty(columns_.weight))
+      refuse("column w: the rows of this curve above have no weight; give all or none");
+  }
+
+  /// What the first row of a curve decides for all.
+  void begin_curve(std::string_view id) {
+    curve_.id = id;
+    curve_.first_row = row_;
+    curve_.first_line = records_.line();
+    curve_.form = columns_.form ? field(*columns_.form) : std::string_view();
+    curve_.weighted = columns_.weight && !(columns_.curve && is_empty(columns_.weight));
+    curve_.dimension = columns_.axes.size();
+    while (columns_.curve && curve_.dimension > 1 && field(columns_.axes[curve_.dimension - 1]).empty())
+      --curve_.dimension;
+    if (curve_.weighted && form_ != Form::bernstein && !columns_.form)
+      throw std::invalid_argument(
+          fmt::format("{} has weights (column w), which belong to control points; leave "
+                      "--form out, it must be bernstein",
+                      records_.name()));
+  }
+
+  [[nodiscard]] Form form_of_curve() const {
+    Form form = form_;
+    if (columns_.form) {
+      constexpr std::array forms{Form::bernstein, Form::power, Form::rational};
+      const auto* const found = std::ranges::find(forms, curve_.form, [](Form one) { return name(one); });
+      if (found == forms.end())
+        records_.refuse(curve_.first_line,
+                        fmt::format("form \"{}\": must be bernstein, power or rational", echo(curve_.form)));
+      form = *found;
+      if (curve_.weighted != (form == Form::rational))
+        records_.refuse(curve_.first_line,
+                        fmt::format("form is {}, but the curve has {} (column w); a curve is rational where it has "
+                                    "weights",
+                                    name(form), curve_.weighted ? "weights" : "no weights"));
+    }
+    return curve_.weighted ? Form::rational : form;
+  }
+
+  void finish_curve() {
+    if (curve_.rows == 0) return;
+    if (curve_.coefficients > static_cast<std::size_t>(max_degree) + 1)
+      throw Unreadable(fmt::format("{}: {} coefficients; the largest degree is {}", records_.name(),
+                                   curve_.coefficients, max_degree));
+    const CurveView<double> view{form_of_curve(), static_cast<int>(curve_.dimension),
+                                 static_cast<int>(curve_.coefficients) - 1, curve_.numbers, curve_.weights};
+    if (curve_.weighted && std::ranges::all_of(curve_.weights, [](double weight) { return weight == 0; }))
+      records_.refuse(curve_.first_line,
+                      fmt::format("rows {} to {}, column w: every weight is 0; one of them must not be",
+                                  curve_.first_row, curve_.first_row + curve_.coefficients - 1));
+    require_room(result_.set, records_.name());
+    result_.set.add(curve_.id, view, !result_.set.continues_path(curve_.id, view), curve_.parameters);
+    first_lines_.push_back(static_cast<std::uint32_t>(curve_.first_line));
+    curve_.rows = curve_.coefficients = 0;
+    curve_.numbers.clear();
+    curve_.weights.clear();
+    curve_.parameters.clear();
+    parameters_only_ = false;
+  }
+
+  /// Ids that ascend, as numbers do, are distinct; a set of strings would take more memory than the curves.
+  void require_distinct_ids() const {
+    const auto& set = result_.set;
+    const auto before = [&](std::size_t a, std::size_t b) {
+      return std::pair(set.id(a).size(), set.id(a)) < std::pair(set.id(b).size(), set.id(b));
+    };
+    std::vector<std::uint32_t> order(set.size());
+    std::iota(order.begin(), order.end(), 0U);
+    if (std::ranges::adjacent_find(order, [&](auto a, auto b) { return !before(a, b); }) == order.end()) return;
+    std::ranges::sort(order, [&](auto a, auto b) { return before(a, b) || (!before(b, a) && a < b); });
+    std::size_t first = set.size();
+    for (std::size_t k = 1; k < order.size(); ++k)
+      if (set.id(order[k]) == set.id(order[k - 1])) first = std::min<std::size_t>(first, order[k]);
+    if (first < set.size()) refuse_repeated(first_lines_[first], set.id(first));
+  }
+
+  Records& records_;
+  std::vector<std::string> header_;
+  Columns columns_;
+  Form form_;
+  Read result_;
+  Pending curve_;
+  bool parameters_only_ = false;  ///< the last row of the curve has no coefficient
+  std::size_t row_ = 0;           ///< from 1, the header not counted
+  std::vector<std::uint32_t> first_lines_;
+};
+
+/// `text` as a field, quoted where required.
+std::string quoted_field(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string field = "\"";
+  for (const char c : text) {
+    if (c == '"') field += '"';
+    field += c;
+  }
+  return field + '"';
+}
+
+}  // namespace
+
+Read read_csv(std::string_view text, const std::string& name, Form form) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  Records records(text, name);
+  const auto first = text.substr(0, text.find('\n'));
+  if (has_numbers_only(first))
+    records.refuse(1, fmt::format("header is missing, the first line is data, \"{}\"; write x, or x,y, or x,y,z above "
+                                  "it, and separate numbers by commas, without brackets or blanks",
+                                  echo(first)));
+  if (text.empty()) records.refuse(1, "file is empty; it needs a header that names the columns");
+  if (const auto at = first_unprintable(text); at != std::string_view::npos)
+    records.refuse(1 + static_cast<std::size_t>(std::ranges::count(text.substr(0, at), '\n')),
+                   fmt::format("character {}, which is not text; the file is damaged or not CSV: restore it",
+                               printable(text.substr(at, 1))));
+  return Reader(records, form).read();
+}
+
+std::string to_csv(const CurveSet& set) {
+  int dimension = 1;
+  bool forms = false;
+  bool weights = false;
+  bool parameters = false;
+  for (std::size_t k = 0; k < set.size(); ++k) {
+    dimension = std::max(dimension, set[k].dimension);
+    forms = forms || set[k].form == Form::power;
+    weights = weights || set[k].form == Form::rational;
+    parameters = parameters || !set.parameters(k).empty();
+  }
+  std::string text = fmt::format("curve,index{}", forms ? ",form" : "");
+  for (int axis = 0; axis < dimension; ++axis) text += fmt::format(",{}", axes.at(static_cast<std::size_t>(axis)));
+  text += fmt::format("{}{}\n", weights ? ",w" : "", parameters ? ",t" : "");
+  for (std::size_t k = 0; k < set.size(); ++k) {
+    const auto curve = set[k];
+    const auto ts = set.parameters(k);
+    const auto id = quoted_field(set.id(k));
+    const auto coefficients = static_cast<std::size_t>(curve.degree) + 1;
+    for (std::size_t i = 0; i < std::max(coefficients, ts.size()); ++i) {
+      fmt::format_to(std::back_inserter(text), "{},{}", id, i);
+      if (forms) fmt::format_to(std::back_inserter(text), ",{}", name(curve.form));
+      for (int axis = 0; axis < dimension; ++axis) {
+        text += ',';
+        if (axis < curve.dimension && i < coefficients) text += number::hexadecimal(curve(axis, static_cast<int>(i)));
+      }
+      if (weights) {
+        text += ',';
+        if (i < curve.weights.size()) text += number::hexadecimal(curve.weights[i]);
+      }
+      if (parameters) {
+        text += ',';
+        if (i < ts.size()) text += number::hexadecimal(ts[i]);
+      }
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+}  // namespace bezierbench::curves
