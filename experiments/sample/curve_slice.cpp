@@ -31,6 +31,7 @@ bool names(const std::vector<int>& values, int value) {
 
 bool takes(const suite::Study& study, const CurveView<double>& curve) {
   const auto& inputs = suite::kind_of(study).inputs;
+  if (study.places.keys.contains("curve") && curve.form != study.form) return false;
   return std::ranges::find(inputs.forms, curve.form) != inputs.forms.end() && curve.degree >= inputs.least_degree &&
          names(study.degree, curve.degree) && names(study.dimension, curve.dimension);
 }
@@ -48,6 +49,23 @@ std::vector<std::pair<Shape, std::vector<std::size_t>>> shapes_of(const suite::S
     found->second.push_back(k);
   }
   return shapes;
+}
+
+/// Appends points in the enlarged box of those that are there.
+void add_points(Words& words, int dimension, int points, std::vector<double>& coefficients) {
+  const auto d = static_cast<std::size_t>(dimension);
+  std::array<double, 3> low{};
+  std::array<double, 3> high{};
+  std::copy_n(coefficients.begin(), d, low.begin());
+  high = low;
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    low[i % d] = std::min(low[i % d], coefficients[i]);
+    high[i % d] = std::max(high[i % d], coefficients[i]);
+  }
+  double size = 0;
+  for (std::size_t axis = 0; axis < d; ++axis) size = std::max(size, high[axis] - low[axis]);
+  for (std::size_t k = 0; k < d * static_cast<std::size_t>(points); ++k)
+    coefficients.push_back(affine(low[k % d] - size, high[k % d] + size, words.next_uniform()));
 }
 
 }  // namespace
@@ -75,42 +93,48 @@ std::size_t CurveSlice::curve_of(std::uint64_t trial) const {
 }
 
 void CurveSlice::draw(std::uint64_t seed, std::uint64_t study_key, std::uint64_t cell_key, std::uint64_t trial,
-                      Trial& out) const {
+                      int points, Trial& out) const {
   trial %= trials();
   const std::size_t number = curve_of(trial);
   const auto stored = curve(number);
   out.coefficients.assign(stored.coefficients.begin(), stored.coefficients.end());
   out.weights.assign(stored.weights.begin(), stored.weights.end());
+  Words words_of_curve(seed, study_key, ~cell_key, number);
+  place(words_of_curve, stored, out.coefficients);
 
+  Words words(seed, study_key, cell_key, trial);
   const std::uint64_t count = first_trials_[number + 1] - first_trials_[number];
   const std::uint64_t k = trial - first_trials_[number];
   switch (source_) {
     case suite::ParameterSource::stored: out.t = set_->curves.parameters(numbers_[number])[k]; break;
     case suite::ParameterSource::grid: out.t = static_cast<double>(k) / static_cast<double>(count - 1); break;
-    case suite::ParameterSource::drawn: {
-      Words words(seed, study_key, cell_key, trial);
-      out.t = affine(0, 1, words.next_uniform());
-    }
+    case suite::ParameterSource::drawn: out.t = affine(0, 1, words.next_uniform());
   }
+  if (points > 0) add_points(words, stored.dimension, points, out.coefficients);
+}
 
+void CurveSlice::place(Words& words, const CurveView<double>& curve, std::vector<double>& coefficients) const {
   if (placement_ == suite::Placement::stored) return;
-  Words words(seed, study_key, ~cell_key, number);
   if (placement_ == suite::Placement::scaled) {
     const double factor = affine(0.5, 1, words.next_uniform());
-    for (double& coordinate : out.coefficients) coordinate *= factor;
+    for (double& coordinate : coefficients) coordinate *= factor;
     return;
   }
   std::array<double, 3> offset{};
   for (double& one : offset) one = affine(-page * stored_range_, page * stored_range_, words.next_uniform());
-  const std::size_t moved =
-      stored.form == Form::power ? static_cast<std::size_t>(stored.dimension) : out.coefficients.size();
-  for (std::size_t i = 0; i < moved; ++i) out.coefficients[i] += offset[i % static_cast<std::size_t>(stored.dimension)];
+  const auto d = static_cast<std::size_t>(curve.dimension);
+  const std::size_t moved = curve.form == Form::power ? d : coefficients.size();
+  for (std::size_t i = 0; i < moved; ++i) coefficients[i] += offset[i % d];
 }
 
 std::string CurveSlice::canonical() const {
   const auto [form, dimension, degree] = shape_of(curve(0));
   return fmt::format("curves={};form={};dimension={};degree={};parameters={}:{};placement={}", set_->sha256, name(form),
                      dimension, degree, suite::name(source_), trials(), suite::name(placement_));
+}
+
+bool has_inputs(const suite::Study& study) {
+  return std::ranges::any_of(study.sets, [&](const auto& set) { return !shapes_of(study, *set).empty(); });
 }
 
 std::vector<suite::Study> studies_of(const suite::Study& study) {

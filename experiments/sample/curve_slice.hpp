@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "experiments/sample/draw.hpp"
+#include "experiments/sample/words.hpp"
 #include "experiments/suite/suite.hpp"
 #include "reference/curves/curve_set.hpp"
 
@@ -44,12 +45,17 @@ class CurveSlice {
 
   /// Writes the inputs of a trial: a pure function of the seed, the study, the cell and the trial. A drawn parameter takes
   /// the first words of the trial; the placement of a curve takes words of the curve, the same at all its parameters.
-  void draw(std::uint64_t seed, std::uint64_t study_key, std::uint64_t cell_key, std::uint64_t trial, Trial& out) const;
+  /// `points` further points take the next words of the trial. They are uniform in the box of the control points, enlarged
+  /// by the size of the curve on every side.
+  void draw(std::uint64_t seed, std::uint64_t study_key, std::uint64_t cell_key, std::uint64_t trial, int points,
+            Trial& out) const;
 
   /// The identity of the inputs, as canonical(cell) is for drawn curves.
   [[nodiscard]] std::string canonical() const;
 
  private:
+  void place(Words& words, const CurveView<double>& curve, std::vector<double>& coefficients) const;
+
   std::shared_ptr<const LoadedSet> set_;
   std::vector<std::size_t> numbers_;
   std::vector<std::uint64_t> first_trials_;  ///< of each curve, and the number of all
@@ -57,6 +63,9 @@ class CurveSlice {
   suite::Placement placement_;
   double stored_range_ = 0;  ///< the largest magnitude of a coordinate as stored
 };
+
+/// Whether the sets of the study have a curve that it takes.
+bool has_inputs(const suite::Study& study);
 
 /// The studies that a study of curve sets stands for: one for each set, form, dimension, degree and placement, in the
 /// order of their first curves; the form, dimension and degree are then those of the study, the trials those of its slice.

@@ -125,6 +125,23 @@ TEST(CurveSlice, PlacementKeepsTheShape) {
   EXPECT_NE(translated, stored);
 }
 
+TEST(CurveSlice, FurtherPointsLieAboutTheCurve) {
+  auto cell = cells(studies_of(small_study()).front()).front();
+  ++cell.degree;
+  const Sampler sampler(1, "s", cell);
+  for (std::uint64_t trial = 0; trial < 10; ++trial) {
+    Trial one;
+    sampler.draw(trial, one);
+    ASSERT_EQ(one.coefficients.size(), 10U);
+    EXPECT_EQ(one.t, drawn(studies_of(small_study()).front(), trial).t);
+    const bool is_first = trial < 5;
+    EXPECT_TRUE(is_first ? one.coefficients[8] >= 95.5 && one.coefficients[8] <= 109
+                         : one.coefficients[8] >= -5 && one.coefficients[8] <= 6);
+    EXPECT_TRUE(is_first ? one.coefficients[9] >= 195.5 && one.coefficients[9] <= 207.5
+                         : one.coefficients[9] >= -7 && one.coefficients[9] <= 5);
+  }
+}
+
 TEST(CurveSlice, ItsIdentityIsThatOfTheNumbers) {
   auto study = small_study();
   const auto key_of = [](const suite::Study& of) { return key(cells(studies_of(of).front()).front()); };

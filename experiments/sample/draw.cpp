@@ -89,7 +89,8 @@ Sampler::Sampler(std::uint64_t seed, std::uint64_t study_key, const Cell& cell)
 
 void Sampler::draw(std::uint64_t trial, Trial& out) const {
   if (cell_.slice) {
-    cell_.slice->draw(seed_, study_key_, cell_key_, trial, out);
+    const int further = cell_.degree - cell_.slice->curve(0).degree;
+    cell_.slice->draw(seed_, study_key_, cell_key_, trial, further, out);
     return;
   }
   Words words(seed_, study_key_, cell_key_, trial);

@@ -33,10 +33,10 @@ constexpr std::array shared{
                          .required = true,
                          .settable = false}),
     field<&Study::form>({.key = "curve",
-                         .meaning = "form in which random curves are drawn",
+                         .meaning = "form in which random curves are drawn, or which curves of the sets are taken",
                          .example = "\"bernstein\"",
-                         .settable = false,
-                         .curves = Curves::drawn}),
+                         .left_out = "bernstein; of curve sets all forms",
+                         .settable = false}),
     field<&Study::dimension>(
         {.key = "dimension",
          .meaning = "numbers of coordinates, 1 to 3; of curve sets all that there are, if left out",
@@ -75,7 +75,7 @@ constexpr std::array shared{
     field<&Study::curves_sha256>(
         {.key = "curves_sha256",
          .meaning = "the SHA-256 that the numbers of each curve set must have; a run writes it",
-         .example = "[]",
+         .example = "[\"e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855\"]",
          .left_out = "not checked",
          .settable = false,
          .curves = Curves::of_sets}),
@@ -87,7 +87,7 @@ constexpr std::array shared{
         {.key = "parameters_from",
          .meaning =
              "which parameters of [0, 1]: drawn, on a grid with both ends, or those stored in the column t of the set",
-         .example = "\"grid\"",
+         .example = "\"stored\"",
          .settable = false,
          .curves = Curves::of_sets}),
     field<&Study::placement>({.key = "placement",
@@ -169,7 +169,7 @@ Finding check_independence(const Study& study, std::span<const KnownGenerator> g
 /// Checks the inputs of `study` against `inputs`. Messages name the kind or problem by `what`.
 Finding check_inputs_of(const Study& study, const Inputs& inputs, std::string_view what,
                         std::span<const KnownGenerator> generators) {
-  if (!has_sets(study))
+  if (!has_sets(study) || study.places.keys.contains("curve"))
     if (auto found = check_form(study, inputs)) return found;
   if (inputs.double_only)
     if (auto found = check_scalar(study, what)) return found;
@@ -222,6 +222,7 @@ bool is_required(const Kind& kind, const Field& field) {
 }
 
 bool applies(const Field& field, const Study& study) {
+  if (field.key == "curve" && has_sets(study)) return study.places.keys.contains(field.key);  // a choice of curves
   if (field.curves == Curves::drawn) return !has_sets(study) || kind_of(study).inputs.sets == SetUse::required;
   return field.curves == Curves::any || has_sets(study);
 }

@@ -41,12 +41,12 @@ struct Unit {
   const char* observed;
   const char* bound;  ///< null: no column has the bound in this unit
 };
-constexpr Unit units[]{{"u", "u p~", "max_error_u", "bound_u"},
+constexpr Unit error_units[]{{"u", "u p~", "max_error_u", "bound_u"},
                        {"ulp", "ulp", "max_error_ulp", nullptr},
                        {"coordinate", "coordinate units", "max_error", "max_bound"},
                        {"size", "of the size", "max_error_size", nullptr}};
 
-struct Candidate {
+struct RankedMethod {
   std::string method;
   double error = std::numeric_limits<double>::infinity();  ///< the largest, in the unit
   std::optional<double> bound;                             ///< of these curves; empty where one of them has none
@@ -62,8 +62,8 @@ struct Ranking {
   int degree;
   std::size_t curves;
   std::size_t judged;
-  std::vector<Candidate> candidates;  ///< those that keep the tolerance, best first
-  std::optional<Candidate> most_accurate;
+  std::vector<RankedMethod> candidates;  ///< those that keep the tolerance, best first
+  std::optional<RankedMethod> most_accurate;
 };
 
 /// Times by method, of one form, scalar, dimension, degree and mode.
@@ -86,7 +86,7 @@ std::shared_ptr<const sample::LoadedSet> thinned(const sample::CurveSlice& slice
   return some;
 }
 
-tables::Tables tables_of(const suite::Study& study) {
+tables::Tables tables_of_run(const suite::Study& study) {
   const auto job = studies::make_job(study, {.seed = 1, .tier = reference::Tier::certified});
   run::run_all(*job);
   tables::Tables tables;
@@ -108,16 +108,16 @@ suite::Study study_of(const suite::Study& slice, const CurvesWish& wish) {
   return sample::studies_of(study).front();
 }
 
-std::vector<Candidate> judged(const suite::Study& study, const Unit& unit) {
-  std::vector<Candidate> all;
-  const auto tables = tables_of(study);
+std::vector<RankedMethod> judged(const suite::Study& study, const Unit& unit) {
+  std::vector<RankedMethod> all;
+  const auto tables = tables_of_run(study);
   const auto* accuracy = tables.find("accuracy.csv");
   if (accuracy == nullptr) return all;
   for (const auto& row : tables::rows_of(*accuracy)) {
     if (row.text("status") != "ok" || row.number("non_finite") > 0) continue;
     const auto error = row.optional_number(unit.observed);
     if (!error) continue;
-    Candidate one;
+    RankedMethod one;
     one.method = row.text("method");
     one.error = *error;
     if (unit.bound != nullptr && row.optional_number("unbounded_trials") == 0)
@@ -129,13 +129,13 @@ std::vector<Candidate> judged(const suite::Study& study, const Unit& unit) {
 }
 
 /// Times of now, in a race on the first of the curves.
-Times measured(suite::Study study, const std::vector<Candidate>& candidates, const CurvesWish& wish) {
+Times measured(suite::Study study, const std::vector<RankedMethod>& candidates, const CurvesWish& wish) {
   study.kind = &studies::timing_kind.asks;
   study.modes = {*suite::parse<suite::Mode>(wish.mode)};
   study.methods.clear();
   for (const auto& one : candidates) study.methods.push_back(one.method);
   Times times;
-  const auto tables = tables_of(study);
+  const auto tables = tables_of_run(study);
   if (const auto* timing = tables.find("timing.csv"))
     for (const auto& row : tables::rows_of(*timing)) times.emplace(row.text("method"), interval_of(row));
   return times;
@@ -169,9 +169,9 @@ class Answers {
   bundle::CsvDocument timing_;
 };
 
-void set_fronts(std::vector<Candidate>& candidates) {
+void set_fronts(std::vector<RankedMethod>& candidates) {
   std::vector<metric::Tradeoff> tradeoffs;
-  std::vector<Candidate*> timed;
+  std::vector<RankedMethod*> timed;
   for (auto& one : candidates)
     if (one.ns) {
       tradeoffs.push_back({*one.ns, one.misrounded});
@@ -181,11 +181,11 @@ void set_fronts(std::vector<Candidate>& candidates) {
   for (std::size_t k = 0; k < timed.size(); ++k) timed[k]->front = metric::name(fronts[k]);
 }
 
-double median_ns(const Candidate& one) { return one.ns ? one.ns->median : std::numeric_limits<double>::infinity(); }
+double median_ns(const RankedMethod& one) { return one.ns ? one.ns->median : std::numeric_limits<double>::infinity(); }
 
 /// The order of the ranking: with a tolerance by time; without one, first the methods that are nearly correctly rounded on
 /// these curves, by time, then the others, by their share of misrounded coordinates.
-bool is_better(const Candidate& a, const Candidate& b, bool has_tolerance) {
+bool is_better(const RankedMethod& a, const RankedMethod& b, bool has_tolerance) {
   const bool a_is_near = has_tolerance || a.misrounded <= nearly_correct;
   const bool b_is_near = has_tolerance || b.misrounded <= nearly_correct;
   if (a_is_near != b_is_near) return a_is_near;
@@ -204,22 +204,23 @@ Ranking ranking_of(const suite::Study& slice, const CurvesWish& wish, const Unit
                   judged(study, unit),
                   {}};
   auto& candidates = ranking.candidates;
-  const auto best = std::ranges::min_element(candidates, {}, &Candidate::error);
+  const auto best = std::ranges::min_element(candidates, {}, &RankedMethod::error);
   if (best != candidates.end()) ranking.most_accurate = *best;
-  std::erase_if(candidates, [&](const Candidate& one) { return wish.tolerance && one.error > *wish.tolerance; });
+  std::erase_if(candidates, [&](const RankedMethod& one) { return wish.tolerance && one.error > *wish.tolerance; });
   const auto times = answers ? answers->of(ranking, wish) : measured(study, candidates, wish);
   for (auto& one : candidates)
     if (const auto found = times.find(one.method); found != times.end()) one.ns = found->second;
   set_fronts(candidates);
-  std::ranges::stable_sort(
-      candidates, [&](const Candidate& a, const Candidate& b) { return is_better(a, b, wish.tolerance.has_value()); });
+  std::ranges::stable_sort(candidates, [&](const RankedMethod& a, const RankedMethod& b) {
+    return is_better(a, b, wish.tolerance.has_value());
+  });
   return ranking;
 }
 
-std::string brief(double value) { return fmt::format("{:.4g}", value); }
+std::string short_text(double value) { return fmt::format("{:.4g}", value); }
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
-std::string winner_text(const Ranking& ranking, const CurvesWish& wish, const Unit& unit) {
+std::string first_text(const Ranking& ranking, const CurvesWish& wish, const Unit& unit) {
   if (ranking.candidates.empty()) return "";
   const auto& best = ranking.candidates.front();
   std::string why = wish.tolerance ? fmt::format("the fastest within {} {}", wish.tolerance_text, unit.words)
@@ -231,8 +232,8 @@ std::string winner_text(const Ranking& ranking, const CurvesWish& wish, const Un
   auto text = wrapped("", fmt::format("{}: {}", best.method, why), 4) +
               wrapped("  ",
                       fmt::format("{} of the coordinates are not the nearest {}, largest error {} {}{}",
-                                  percent(best.misrounded), wish.scalar, brief(best.error), unit.words,
-                                  best.bound ? fmt::format(", bound {}", brief(*best.bound)) : ""),
+                                  percent(best.misrounded), wish.scalar, short_text(best.error), unit.words,
+                                  best.bound ? fmt::format(", bound {}", short_text(*best.bound)) : ""),
                       4);
   return text;
 }
@@ -244,17 +245,17 @@ std::string text_of(const Ranking& ranking, const CurvesWish& wish, const Unit& 
                   ranking.curves, ranking.curves == 1 ? "" : "s", ranking.degree, name(ranking.form), ranking.dimension,
                   wish.scalar, wish.mode, ranking.judged),
       4);
-  text += winner_text(ranking, wish, unit) + "\n";
+  text += first_text(ranking, wish, unit) + "\n";
   std::vector<std::vector<std::string>> lines{{"method", "ns", "misrounded", "error", "bound", "pareto"}};
   for (const auto& one : ranking.candidates)
-    lines.push_back({one.method, one.ns ? brief(one.ns->median) : "", percent(one.misrounded), brief(one.error),
-                     one.bound ? brief(*one.bound) : "", std::string(one.front)});
+    lines.push_back({one.method, one.ns ? short_text(one.ns->median) : "", percent(one.misrounded),
+                     short_text(one.error), one.bound ? short_text(*one.bound) : "", std::string(one.front)});
   return text + fitted(std::move(lines), terminal_width(STDOUT_FILENO)) + "\n";
 }
 
 void add_rows(const Ranking& ranking, const CurvesWish& wish, const Unit& unit, bundle::CsvTable& table) {
   using number::decimal;
-  const auto time = [](const Candidate& one, double metric::Interval::*of) {
+  const auto time = [](const RankedMethod& one, double metric::Interval::*of) {
     return one.ns ? decimal((*one.ns).*of) : "";
   };
   for (const auto& one : ranking.candidates)
@@ -289,7 +290,7 @@ std::vector<suite::Study> slices_of(const CurvesWish& wish) {
 }  // namespace
 
 Exit choose_on_curves(const CurvesWish& wish) {
-  const auto& unit = *std::ranges::find(units, wish.unit, &Unit::id);
+  const auto& unit = *std::ranges::find(error_units, wish.unit, &Unit::id);
   const auto slices = slices_of(wish);
   std::optional<Answers> answers;
   if (!wish.measure) answers.emplace();
@@ -310,7 +311,7 @@ Exit choose_on_curves(const CurvesWish& wish) {
     if (!ranking.candidates.empty() || !ranking.most_accurate) continue;
     say(fmt::format("no method stays within {} {} on the {} curves of degree {}; the most accurate is {} with {}",
                     wish.tolerance_text, unit.words, ranking.curves, ranking.degree, ranking.most_accurate->method,
-                    brief(ranking.most_accurate->error)));
+                    short_text(ranking.most_accurate->error)));
     exit = Exit::finding;
   }
   if (wish.format == "csv") fmt::print("{}", table.text());

@@ -169,6 +169,7 @@ void take_curves(std::vector<suite::Suite>& suites, const std::vector<std::strin
     for (auto& study : one.studies) {
       for (const auto* field : suite::fields_of(suite::kind_of(study)))
         if (field->curves == suite::Curves::drawn) study.places.keys.erase(std::string(field->key));
+      study.places.keys["curve"];  // only curves of this form, stated or not
       study.curves.clear();
       for (const auto& file : files) study.curves.push_back(names_file(file) ? fs::absolute(file).string() : file);
       study.curves_sha256.clear();
@@ -181,6 +182,21 @@ void take_curves(std::vector<suite::Suite>& suites, const std::vector<std::strin
   if (suites.empty())
     throw Failure(Exit::usage, fmt::format("--curves {}: no study of the suite takes curves; choose another suite",
                                            echo(files.front())));
+}
+
+void drop_without_curves(std::vector<suite::Suite>& suites) {
+  std::string last;
+  for (auto& one : suites)
+    std::erase_if(one.studies, [&](const auto& study) {
+      last = study.curves.front();
+      return suite::kind_of(study).inputs.sets != suite::SetUse::required && !sample::has_inputs(study);
+    });
+  std::erase_if(suites, [](const auto& one) { return one.studies.empty(); });
+  if (suites.empty())
+    throw Failure(Exit::usage,
+                  fmt::format("--curves {}: no study of the suite takes curves of these forms and degrees; see "
+                              "`bezierbench curves`",
+                              echo(last)));
 }
 
 }  // namespace bezierbench::cli

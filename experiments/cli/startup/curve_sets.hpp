@@ -27,4 +27,7 @@ std::vector<std::pair<std::string, std::string>> curves_beside(std::vector<suite
 /// Failure(usage) where none is left.
 void take_curves(std::vector<suite::Suite>& suites, const std::vector<std::string>& files);
 
+/// Drops the studies of sets that take none of the curves of their sets. Throws Failure(usage) where none is left.
+void drop_without_curves(std::vector<suite::Suite>& suites);
+
 }  // namespace bezierbench::cli

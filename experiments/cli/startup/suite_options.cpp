@@ -78,6 +78,7 @@ std::vector<suite::Suite> SuiteOptions::read(const suite::Vocabulary& known) con
       for (const auto& study : one.studies)
         if (const auto fault = suite::validate(study, known)) suite::refuse(study, *fault);
   load_curves(suites);
+  if (!curves_.empty()) drop_without_curves(suites);
   return suites;
 }
 

@@ -21,8 +21,9 @@ namespace {
 /// Whether the studies are of one kind and all its keys have equal text.
 bool equal(const Study& a, const Study& b) {
   if (a.kind != b.kind) return false;
-  return std::ranges::all_of(fields_of(kind_of(a)),
-                             [&](const Field* field) { return to_text(*field, a) == to_text(*field, b); });
+  return std::ranges::all_of(fields_of(kind_of(a)), [&](const Field* field) {
+    return !applies(*field, a) || to_text(*field, a) == to_text(*field, b);
+  });
 }
 
 void expect_equal(const std::vector<Suite>& a, const std::vector<Suite>& b) {
@@ -90,7 +91,15 @@ class Random {
     made.budget = 1 + static_cast<std::int64_t>(bits_() >> 1U);
     made.decomposed_trials = static_cast<std::int64_t>(below(2) * (bits_() >> 1U));
     made.points = some<int>({2, 3, 1025});
-    made.curves = some<std::string>({"css_ease", "glyph_*"});
+    if (kind.inputs.sets == SetUse::required || (kind.inputs.sets == SetUse::optional && below(2) == 0)) {
+      made.curves = some<std::string>({"named#css_*", "logo.svg", "icons"});
+      if (below(2) == 0) made.curves_sha256 = {made.curves.size(), std::string(64, 'a')};
+      made.parameters = 2 + static_cast<std::int64_t>(below(100));
+      made.parameters_from = below(2) == 0 ? ParameterSource::grid : ParameterSource::drawn;
+      made.placement = some<Placement>({Placement::stored, Placement::scaled, Placement::translated});
+      if (below(2) == 0) made.dimension.clear();
+      if (below(2) == 0) made.places.keys["curve"];
+    }
     made.order = some<int>({0, 1, 2, 20});
     made.tolerance = some<double>({1e-3, 1e-12, 5e-324});
     made.modes = some<Mode>({Mode::one_shot, Mode::latency, Mode::batch});
