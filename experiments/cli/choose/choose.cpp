@@ -310,7 +310,7 @@ void read_numbers(Wish& wish) {
                     fmt::format("--degree {}: must be a whole number from 0 to {}", *wish.degree_text, max_degree));
     wish.degree = static_cast<int>(*degree);
   }
-  if (wish.tolerance_text.empty()) return;  // no bundle is asked then
+  if (wish.tolerance_text.empty()) return;  // only with --curves
   const auto tolerance = number::parse_number(wish.tolerance_text);
   if (!tolerance || !(*tolerance >= 0) || !std::isfinite(*tolerance))
     throw Failure(Exit::usage, fmt::format("--tolerance {}: is not a number from 0 on; give the largest error that "

@@ -42,9 +42,9 @@ struct Unit {
   const char* bound;  ///< null: no column has the bound in this unit
 };
 constexpr Unit error_units[]{{"u", "u p~", "max_error_u", "bound_u"},
-                       {"ulp", "ulp", "max_error_ulp", nullptr},
-                       {"coordinate", "coordinate units", "max_error", "max_bound"},
-                       {"size", "of the size", "max_error_size", nullptr}};
+                             {"ulp", "ulp", "max_error_ulp", nullptr},
+                             {"coordinate", "coordinate units", "max_error", "max_bound"},
+                             {"size", "of the size", "max_error_size", nullptr}};
 
 struct RankedMethod {
   std::string method;

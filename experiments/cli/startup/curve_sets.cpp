@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An entry of `curves`, taken apart.
+/// What an entry of `curves` means.
 struct Entry {
   fs::path file;
   std::string id;
