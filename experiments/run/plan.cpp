@@ -82,6 +82,20 @@ void add_external_jobs(const RunRequest& request, const suite::Study& study, con
                                       *named)});
 }
 
+/// Throws Failure(usage) for a study of curve sets whose methods take none of the curves.
+void refuse_idle_studies(const Plan& plan) {
+  std::map<std::string_view, std::pair<const suite::Study*, std::size_t>> rows;
+  for (std::size_t k = 0; k < plan.studies.size(); ++k) {
+    auto& [study, count] = rows[plan.studies[k].study.id];
+    study = &plan.studies[k].study;
+    count += plan.jobs[k]->extent().rows;
+  }
+  for (const auto& [id, of_study] : rows)
+    if (of_study.first->slice && of_study.second == 0)
+      suite::refuse(*of_study.first,
+                    {"methods", 0, "curves", "none of its methods takes a curve of the sets; see `list methods`"});
+}
+
 void add(const Violation& violation, Outcome& outcome) {
   const auto& [where, count, what] = violation;
   switch (what) {
@@ -154,6 +168,7 @@ Plan::Plan(const RunRequest& request, Unplannable unplannable)
     job_names.push_back(study.id);
     studies.push_back({std::move(*own), context});
   });
+  if (unplannable == Unplannable::refused) refuse_idle_studies(*this);
   // Last, so that no row of another method is elsewhere than without them.
   each_study(
       [&](const suite::Study& study, const JobContext& context) { add_external_jobs(request, study, context, *this); });

@@ -66,11 +66,9 @@ Entry entry_of(const suite::Study& study, std::size_t number) {
   }
   const auto ids = shipped_curves();
   if (std::ranges::find(ids, word) == ids.end())
-    suite::refuse(study, {"curves",
-                          number,
-                          {},
-                          fmt::format("unknown curve set \"{}\"{}; for a file, write ./{}", echo(word),
-                                      suite::suggestion(word, ids), echo(word))});
+    suite::refuse(
+        study,
+        {"curves", number, {}, fmt::format("unknown curve set \"{}\"{}", echo(word), suite::suggestion(word, ids))});
   entry.file = curves_folder() / (word + ".csv");
   entry.id = word;
   entry.is_shipped = true;
