@@ -34,7 +34,7 @@ WORDS = frozenset("kind study table form method scalar mode generator baseline v
                   "normalised_verdict fact cpu compiler machine".split())
 # Ids as a suite has to write them; they stand in names of files and in commands that a reader copies.
 ID = re.compile(r"[A-Za-z0-9._:+-]+")
-IDS = frozenset("study accuracy_study worst_id search_id guarantee_id method conversion form scalar generator mode".split())
+IDS = frozenset("study accuracy_study worst_id search_id guarantee_id method conversion scalar generator mode".split())
 SPAN = re.compile(r"\d+\.\.\d+")  # of degrees: a count of table 2.2 is over all of them
 
 

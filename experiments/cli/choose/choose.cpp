@@ -97,7 +97,8 @@ std::string class_words(const DrawnClass& of) {
 /// The timing study and how its curves were drawn: `speed-bezier: coordinates in [-1, 1], t in [0, 1], continuous`.
 std::string timed_curves(const JudgedRace& race) {
   auto text = fmt::format("{}: {}", race.group.study, class_words(race.of));
-  return race.group.drawn.empty() ? text : fmt::format("{}, {}", text, race.group.drawn.back());
+  constexpr std::size_t generator = 3;
+  return generator < race.group.drawn.size() ? fmt::format("{}, {}", text, race.group.drawn[generator]) : text;
 }
 
 /// The value to four digits, for people.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <memory>
 #include <set>
+#include <span>
 #include <sstream>
 #include <utility>
 
@@ -33,7 +34,7 @@ const std::vector<std::string>& columns() {
   static const auto all = [] {
     std::vector<std::string> names{"suite", "seed", "study", "trials", "form", "dimension", "degree"};
     const auto append = [&](const auto& more) { names.insert(names.end(), more.begin(), more.end()); };
-    append(tables::drawn_columns());
+    append(std::span(tables::drawn_columns()).first(4));  // inputs of curve sets are not written
     names.emplace_back("trial");
     append(judge::input_columns());
     append(external::answer_columns);
@@ -43,7 +44,7 @@ const std::vector<std::string>& columns() {
 }
 
 bool has_inputs(const suite::Study& study) {
-  return studies::is_kind(study, studies::accuracy_kind) &&
+  return studies::is_kind(study, studies::accuracy_kind) && !suite::has_sets(study) &&
          std::ranges::count(study.scalar, suite::ScalarKind::float64) > 0;
 }
 
@@ -62,7 +63,8 @@ void add_cell(const suite::Suite& of, const suite::Study& study, const sample::C
     const auto append = [&](const std::vector<std::string>& more) {
       fields.insert(fields.end(), more.begin(), more.end());
     };
-    for (const auto& drawn : tables::drawn_fields(cell)) fields.push_back(tables::text(drawn));
+    const auto drawn = tables::drawn_fields(cell);
+    for (const auto& field : std::span(drawn).first(4)) fields.push_back(tables::text(field));
     fields.push_back(std::to_string(k));
     append(judge::input_fields(trial, cell.dimension));
     append(std::vector<std::string>(external::answer_columns.size()));
@@ -160,7 +162,9 @@ bundle::CsvTable input_table(const std::vector<suite::Suite>& suites) {
         for (const auto& cell : sample::cells(study))
           bytes += static_cast<double>(study.trials) * static_cast<double>(judge::bytes_of_input(cell));
   if (bytes == 0)
-    throw Failure(Exit::usage, "no study is of kind accuracy in double; choose other suites, see `list studies`");
+    throw Failure(
+        Exit::usage,
+        "no study is of kind accuracy, in double, with drawn curves; choose other suites, see `list studies`");
   if (bytes > largest)
     throw Failure(
         Exit::usage,

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Studies over curve sets, and `choose --curves`, from outside. Usage: curve_sets_test.py BEZIERBENCH"""
+"""Studies over curve sets, and `choose --curves`, from outside. Usage: studies_of_sets_test.py BEZIERBENCH"""
 import csv
 import io
 import shutil
