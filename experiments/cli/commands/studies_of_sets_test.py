@@ -100,6 +100,29 @@ class CurveSets(Case):
         self.assertEqual(found, {("quick-bezier", "bernstein"), ("quick-rational", "rational")})
         self.assertEqual({row["curves"] for row in rows((self.folder / "b/projection.csv").read_text())}, {"logo"})
 
+    def test_answers_from_elsewhere_are_judged(self):
+        """Answers of de Casteljau's algorithm in Python, to the inputs as they were written, have the errors of ours."""
+        suite = self.suite({**STUDY, "methods": '["de_casteljau"]'})
+        self.bundle(suite)
+        self.fine("inputs", suite, "--out", "inputs.csv")
+        table = rows((self.folder / "inputs.csv").read_text())
+        for row in table:
+            numbers = [float.fromhex(x) for x in row["coefficients"].split()]
+            t = float.fromhex(row["t"])
+            point = de_casteljau(list(zip(numbers[:4], numbers[4:])), t, 1 - t)
+            row.update(zip("xy", map(float.hex, point)))
+        out = io.StringIO()
+        writer = csv.DictWriter(out, table[0], lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(table)
+        self.write("mine.csv", out.getvalue())
+        judged = rows(self.fine("judge", "mine.csv"))
+        self.assertEqual([row["curves"] for row in judged], ["logo"])
+        for column in ("mean_error", "max_error_u", "misrounded", "p99_error_size", "trials"):
+            self.assertEqual(judged[0][column], self.accuracy("b")[0][column], column)
+        self.fine("judge", "mine.csv", "--out", "judged")
+        self.assertTrue(self.fine("verify", "judged").startswith("judged: fine"))
+
     def test_what_is_not_a_set(self):
         for curves, code, *needles in (
                 ('["nowhere.svg"]', INPUT_OUTPUT, "nowhere.svg: cannot be read"),
