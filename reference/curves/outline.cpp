@@ -12,7 +12,7 @@
 namespace bezierbench::curves {
 namespace {
 
-constexpr std::size_t most_steps = 4 * most_curves;
+constexpr std::size_t most_steps = 10 * most_curves;  // a second, about
 
 bool coincide(Coordinates a, Coordinates b) { return a.x == b.x && a.y == b.y; }
 
@@ -52,7 +52,7 @@ void Outline::close() {
 
 void Outline::spend(std::size_t steps) {
   steps_ += steps;
-  if (steps_ > most_steps) throw Malformed(fmt::format("the font has more than {} points and operators", most_steps));
+  if (steps_ > most_steps) throw Malformed(fmt::format("its glyphs take more than {} steps", most_steps));
 }
 
 void Outline::add(std::span<const Coordinates> points) {

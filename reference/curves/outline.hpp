@@ -34,7 +34,8 @@ class Outline {
 
   [[nodiscard]] bool is_open() const { return is_open_; }
 
-  /// Counts points, components and operators. A small file can state more of them than can ever be read.
+  /// Counts points, components and the operands and operators of charstrings, of all glyphs. A small file can state more
+  /// of them than can ever be read.
   void spend(std::size_t steps);
 
  private:
