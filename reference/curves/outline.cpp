@@ -33,10 +33,9 @@ void Outline::move_to(Coordinates to) {
 }
 
 void Outline::line_to(Coordinates to) {
-  if (coincide(last_, to))
-    ++read_->left_out["lines of zero length"];
-  else
-    add(std::array{last_, to});
+  if (!coincide(last_, to)) return add(std::array{last_, to});
+  if (lines_left_out_ == nullptr) lines_left_out_ = &read_->left_out["lines of zero length"];
+  ++*lines_left_out_;
 }
 
 void Outline::quadratic_to(Coordinates control, Coordinates to) { add(std::array{last_, control, to}); }

@@ -42,6 +42,7 @@ class Outline {
   void add(std::span<const Coordinates> points);
 
   Read* read_;
+  std::size_t* lines_left_out_ = nullptr;  ///< of `read`, from the first one
   std::string glyph_;
   Coordinates start_;
   Coordinates last_;
