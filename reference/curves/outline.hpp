@@ -34,13 +34,15 @@ class Outline {
 
   [[nodiscard]] bool is_open() const { return is_open_; }
 
-  /// Counts points, components and operators. A small file can state more of them than can ever be read.
+  /// Counts points, components and the operands and operators of charstrings, of all glyphs. A small file can state more
+  /// of them than can ever be read.
   void spend(std::size_t steps);
 
  private:
   void add(std::span<const Coordinates> points);
 
   Read* read_;
+  std::size_t* lines_left_out_ = nullptr;  ///< of `read`, from the first one
   std::string glyph_;
   Coordinates start_;
   Coordinates last_;
