@@ -65,7 +65,8 @@ std::string example_of(const Kind& kind, const Field& field) {
 }
 
 std::string default_of(const Kind& kind, const Field& field) {
-  if (suite::is_required(kind, field)) return "required";
+  if (suite::is_required(kind, field))
+    return field.key == "degree" && kind.inputs.sets != suite::SetUse::none ? "required for drawn curves" : "required";
   const auto value = suite::to_text(field, default_study(kind));
   return "default " + (value.empty() ? std::string(field.left_out) : value);
 }
