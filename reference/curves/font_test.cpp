@@ -172,9 +172,11 @@ TEST(Cff, ReadsLinesCurvesAndFractions) {
 }
 
 TEST(Cff, SkipsTheBytesOfHintMasks) {
-  // Nine hints take two bytes, which would be endchar otherwise.
-  const auto read = drawn_charstring(hex("8c8c 01  8c8c8c8c8c8c8c8c 8c8c8c8c8c8c8c8c 13 0e0e  8b 16 8c 06 0e"));
-  EXPECT_THAT(segments(read), ElementsAre(ElementsAre(0, 0, 1, 0), ElementsAre(1, 0, 0, 0)));
+  // Eight hints take one byte, nine take two; they would be endchar otherwise.
+  const auto eight = hex("8c8c 01  8c8c8c8c8c8c8c8c 8c8c8c8c8c8c 13 0e  8b 16 8c 06 0e");
+  const auto nine = hex("8c8c 01  8c8c8c8c8c8c8c8c 8c8c8c8c8c8c8c8c 13 0e0e  8b 16 8c 06 0e");
+  for (const auto& program : {eight, nine})
+    EXPECT_THAT(segments(drawn_charstring(program)), ElementsAre(ElementsAre(0, 0, 1, 0), ElementsAre(1, 0, 0, 0)));
 }
 
 TEST(Cff, CallsSubroutinesAndRefusesThoseWithoutEnd) {
