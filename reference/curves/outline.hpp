@@ -15,8 +15,8 @@ struct Coordinates {
   double y = 0;
 };
 
-/// Draws glyphs into `read`: lines as degree 1, quadratics and cubics as degree 2 and 3, in font units. Every contour is
-/// closed, by a line where it does not end at its start. Lines of zero length are left out and counted. The id of a
+/// Draws glyphs into `read`: lines as degree 1, quadratics and cubics as degree 2 and 3, in font units. Every contour
+/// is closed, by a line where it does not end at its start. Lines of zero length are left out and counted. The id of a
 /// segment is `glyph:contour:segment`, numbered from 0. Throws Malformed beyond the limits.
 class Outline {
  public:
@@ -34,8 +34,8 @@ class Outline {
 
   [[nodiscard]] bool is_open() const { return is_open_; }
 
-  /// Counts points, components and the operands and operators of charstrings, of all glyphs. A small file can state more
-  /// of them than can ever be read.
+  /// Counts points, components and the operands and operators of charstrings, of all glyphs. A small file can state
+  /// more of them than can ever be read.
   void spend(std::size_t steps);
 
  private:
