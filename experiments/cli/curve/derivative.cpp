@@ -3,8 +3,8 @@
 #include "core/derivative/kernel.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/metric/derivative_scale.hpp"
-#include "reference/number/number.hpp"
 #include "reference/exact_curve.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

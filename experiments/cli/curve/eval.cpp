@@ -5,9 +5,9 @@
 #include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/workspace.hpp"
-#include "reference/number/number.hpp"
 #include "reference/error/coordinate_error.hpp"
 #include "reference/exact_curve.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include "core/grid/kernel.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/metric/bound_at.hpp"
-#include "reference/number/number.hpp"
 #include "reference/exact_curve.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {
