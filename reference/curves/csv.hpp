@@ -6,8 +6,10 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "reference/curves/read.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::curves {
 
@@ -19,7 +21,20 @@ namespace bezierbench::curves {
 /// `form` has weights, which belong to control points.
 Read read_csv(std::string_view text, const std::string& name, Form form);
 
-/// The set as CSV with hexadecimal numbers; read_csv() with the Bernstein form gives an equal set of the same bits.
-std::string to_csv(const CurveSet& set);
+/// The set as CSV, each number written by `number`; read_csv() with the Bernstein form gives an equal set of the same bits.
+std::string to_csv(const CurveSet& set, std::string (*number)(double) = number::hexadecimal);
+
+/// Points without order or form, one a row below a header that names the axes.
+struct PointList {
+  int dimension = 1;
+  std::vector<double> coordinates;  ///< point by point
+  std::vector<std::size_t> lines;   ///< of the file, one for each point
+
+  [[nodiscard]] std::size_t count() const { return coordinates.size() / static_cast<std::size_t>(dimension); }
+  [[nodiscard]] bool ends_where_it_starts() const;
+};
+
+/// Reads points. Throws Unreadable for anything but finite numbers under a valid header.
+PointList read_points_csv(std::string_view text, const std::string& name);
 
 }  // namespace bezierbench::curves
