@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Times of evaluators: every timed method, times against errors, kernels against the peak, other libraries."""
 
+from .. import inputs, schema
 from ..answer import USELESS, lost, useful
-from .. import schema
 from ..bundle import Missing
 from ..document import Cell, Text
 from ..methods import form
 from ..rows import distinct, grouped
 from ..tables import by_axis, one
 from ..time_tables import EVALUATION, reading_limits, reading_load, reading_times, time_tables, times, where
-from ..wording import count, general, interval, large, listing, percent, shortest, span
+from ..wording import count, general, large, listing, percent, shortest, span
 from .parts import chapter, figure, of_suite, study_figure, tables_of
 
 
@@ -88,9 +88,9 @@ def roofline(bundle, findings):
 @tables_of("roofline")
 def _kernels(bundle, study):
     """A table for each scalar type and number of axes."""
-    for (scalar, dimension), rows in grouped(bundle["roofline.csv"].some(study=study), "scalar", "dimension").items():
+    for (scalar, dimension, _), rows in grouped(bundle["roofline.csv"].some(study=study), "scalar", "dimension", "curves").items():
         english, chinese = form(rows[0]["form"])
-        inside = "" if rows[0]["interval"] == (0, 1) else f", t in {interval(*rows[0]['interval'])}"
+        inside = "" if rows[0]["interval"] == (0, 1) else f", {inputs.words(rows[0], 'coordinate_range', 'generator')}"
         yield by_axis(rows, "degree", f"{study}-{scalar}-{shortest(dimension)}",
                       f"Nanoseconds per point and share of the peak, {english} ({where(rows[0])}{inside})", f"批量求值：每点用时（纳秒）与占峰值的比例，{chinese}",
                       [(target, _kernel, {"target": target}) for target in distinct(rows, "target")], row_head="target")

@@ -12,7 +12,7 @@
 
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/digest.hpp"
-#include "experiments/cli/curves_file.hpp"
+#include "experiments/cli/curve/curve_file.hpp"
 #include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/sample/curve_slice.hpp"
@@ -92,7 +92,7 @@ std::shared_ptr<const sample::LoadedSet> loaded(const suite::Study& study, std::
   set->id = entry.glob.empty() ? entry.id : fmt::format("{}#{}", entry.id, entry.glob);
   if (!entry.is_shipped) set->id = part_of_name(set->id);
   set->is_shipped = entry.is_shipped;
-  set->curves = read_curve_set(entry.file.string()).set;
+  set->curves = read_set(entry.file.string(), Form::bernstein).set;
   if (!entry.glob.empty()) set->curves = matching(set->curves, entry.glob);
   if (set->curves.empty())
     suite::refuse(study, {"curves",
