@@ -15,7 +15,6 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/study_inputs.hpp"
 #include "experiments/metric/counts.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/sample/draw.hpp"
@@ -25,7 +24,8 @@
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/statistics.hpp"
 #include "reference/error/norm.hpp"
-#include "reference/exact_conversion.hpp"
+#include "reference/exact_curve.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 namespace {
