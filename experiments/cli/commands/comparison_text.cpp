@@ -8,14 +8,13 @@
 #include <map>
 #include <set>
 
-#include "experiments/cli/terminal/fitted.hpp"
 #include "experiments/cli/terminal/shell_word.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/echo.hpp"
-#include "reference/number/number.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/suite.hpp"
 #include "experiments/terminal.hpp"
+#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {
