@@ -7,7 +7,7 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <vector>
 
-#include "core/bspline/point_of_span.hpp"
+#include "core/bspline/bspline.hpp"
 #include "core/bspline/roster.hpp"
 
 namespace bezierbench {

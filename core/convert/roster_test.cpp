@@ -8,7 +8,7 @@
 #include <random>
 
 #include "core/evaluate/via.hpp"
-#include "reference/exact_conversion.hpp"
+#include "reference/exact_curve.hpp"
 
 namespace bezierbench {
 namespace {
