@@ -4,8 +4,9 @@
 import math
 from dataclasses import dataclass
 
+from . import inputs
 from .rows import grouped
-from .wording import count, interval, shortest
+from .wording import count
 
 # A largest error above this share of p~, the sum of the absolute terms, leaves so few correct digits that the method is useless, whatever its time.
 USELESS = 1e-3
@@ -27,14 +28,7 @@ class Cell:
     mode: str
     scalar: str
     dimension: float
-    coordinate_range: float
-    t_min: float
-    t_max: float
-
-    @property
-    def where(self):
-        """Range and interval in words."""
-        return f"R = {shortest(self.coordinate_range)}, t in {interval(self.t_min, self.t_max)}"
+    where: str  # range and interval in words, or the set and its placement
 
 
 @dataclass(frozen=True)
@@ -90,32 +84,34 @@ def lost(error_u):
 
 
 def _cell(row, mode):
-    return Cell(row["form"] or "", row["degree"], mode, row["scalar"] or "double", row["dimension"], row["coordinate_range"],
-                row["t_min"], row["t_max"])
+    where = inputs.words(row) if row["curves"] else inputs.words(row, "generator")
+    return Cell(row["form"] or "", row["degree"], mode, row["scalar"] or "double", row["dimension"], where)
 
 
 def _replays(bundle):
-    """{(study, method, scalar, dimension, degree): id of the kept trial of the largest error}."""
-    kept = grouped(bundle.tables["worst.csv"].rows if "worst.csv" in bundle else (), "study", "method", "scalar", "dimension", "degree")
-    return {key: max(rows, key=lambda row: row["error_u"] or 0)["worst_id"] for key, rows in kept.items()}
+    """A function of (row, its study of accuracy) to the id of the kept trial of the largest error."""
+    def key(row, study):
+        return study, row["method"], _cell(row, NO_TIME)
+    kept = {}
+    for row in bundle.tables["worst.csv"].rows if "worst.csv" in bundle else ():
+        kept.setdefault(key(row, row["study"]), []).append(row)
+    return lambda row, study: max(kept.get(key(row, study), ()), key=lambda one: one["error_u"] or 0, default={"worst_id": ""})["worst_id"]
 
 
 def candidates(bundle):
     """{Cell: [Candidate]}: timed cells from pareto.csv; where nothing was timed those of accuracy.csv, with the largest error over
     what generators draw."""
-    replays = _replays(bundle)
+    replay = _replays(bundle)
     cells = {}
     for row in bundle.tables["pareto.csv"].rows if "pareto.csv" in bundle else ():
-        replay = replays.get((row["accuracy_study"], row["method"], row["scalar"], row["dimension"], row["degree"]), "")
-        cells.setdefault(_cell(row, row["mode"]), {})[row["method"]] = Candidate(row["method"], row, row, replay)
+        cells.setdefault(_cell(row, row["mode"]), {})[row["method"]] = Candidate(row["method"], row, row, replay(row, row["accuracy_study"]))
     if not cells and ("accuracy.csv" in bundle or "unstable.csv" in bundle):
         rows = [r for r in bundle.judged().rows if r["baseline"] == "exact" and r["status"] == "ok" and r["max_error_u"] is not None]
         for row in rows[:MOST]:
             members = cells.setdefault(_cell(row, NO_TIME), {})
             held = members.get(row["method"])
             if held is None or row["max_error_u"] > held.error_u:
-                replay = replays.get(tuple(row[c] for c in ("study", "method", "scalar", "dimension", "degree")), "")
-                members[row["method"]] = Candidate(row["method"], row, None, replay)
+                members[row["method"]] = Candidate(row["method"], row, None, replay(row, row["study"]))
     return {cell: ranked(members.values(), cell) for cell, members in cells.items()}
 
 

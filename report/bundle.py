@@ -34,7 +34,7 @@ WORDS = frozenset("kind study table form method scalar mode generator baseline v
                   "normalised_verdict fact cpu compiler machine".split())
 # Ids as a suite has to write them; they stand in names of files and in commands that a reader copies.
 ID = re.compile(r"[A-Za-z0-9._:+-]+")
-IDS = frozenset("study accuracy_study worst_id search_id guarantee_id method conversion form scalar generator mode".split())
+IDS = frozenset("study accuracy_study worst_id search_id guarantee_id method conversion scalar generator mode".split())
 SPAN = re.compile(r"\d+\.\.\d+")  # of degrees: a count of table 2.2 is over all of them
 
 
@@ -47,6 +47,7 @@ class Study:
     kind: str
     suite: str  # the id of the suite; empty where suite.toml does not name the study
     printed: bool = False  # whether a source prints values of it
+    on_sets: bool = False  # whether its curves are those of sets
 
 
 def _unstable(file):
@@ -215,6 +216,10 @@ class Bundle(Folder):
                        if "study" in table.columns else table for name, table in self.tables.items()}
         return part
 
+    def drawn(self):
+        """The bundle without the studies of curve sets."""
+        return self.only({study.id for study in self.studies.values() if not study.on_sets})
+
     def title(self, study):
         """The title of that study in its suite; its id where the bundle has none."""
         return self.studies[study].title if study in self.studies else study
@@ -230,7 +235,7 @@ class Bundle(Folder):
             suites = [(one.get("suite", one) if one is resolved else one, one.get("study", []))
                       for one in resolved.get("suites", [resolved])]
             titles = {head["id"]: visible(head.get("title", "")) or head["id"] for head, _ in suites if "id" in head}
-            studies = [Study(one["id"], visible(one.get("title", "")) or one["id"], one.get("kind", ""), head.get("id", ""), bool(one.get("published")))
+            studies = [Study(one["id"], visible(one.get("title", "")) or one["id"], one.get("kind", ""), head.get("id", ""), bool(one.get("published")), bool(one.get("curves")))
                        for head, members in suites for one in members]
         except tomllib.TOMLDecodeError as error:
             self.fail("suite.toml", str(error))

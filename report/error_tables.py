@@ -3,16 +3,17 @@
 
 import math
 
+from . import inputs
 from .document import Cell, Group, Table, Text
 from .findings.conclusions import in_part
 from .findings.evaluators import exceeding, gain
 from .methods import form
 from .rows import distinct, grouped
 from .tables import by_axis, one
-from .wording import count, factor, general, interval, large, shortest
+from .wording import count, factor, general, large, shortest
 
-CELL = ("scalar", "dimension", "degree", "order", "points", "knots", "coordinate_range", "interval", "generator")  # what distinguishes cells
-NAMES = {"generator": "{}", "scalar": "{}", "dimension": "{} axes", "degree": "degree {}", "order": "order {}", "points": "{} points",
+CELL = ("form", "scalar", "dimension", "degree", "order", "points", "knots", "coordinate_range", "interval", "curves", "generator")  # what distinguishes cells
+NAMES = {"curves": "{}", "generator": "{}", "scalar": "{}", "dimension": "{} axes", "degree": "degree {}", "order": "order {}", "points": "{} points",
          "knots": "{} knots", "coordinate_range": "R = {}"}
 DRAWN = ("generator", "knots")  # kinds of inputs on which a bound does not depend
 
@@ -21,7 +22,7 @@ def swept(rows):
     """(axis across, kind of inputs down) of a study: what it varies, the longest axis that tables and figures know first."""
     def varies(column):
         return len(distinct(rows, column)) > 1
-    across = next((a for a in ("interval", "coordinate_range", "degree") if varies(a)), "degree")
+    across = next((a for a in ("curves", "interval", "coordinate_range", "degree") if varies(a)), "degree")
     return across, next((d for d in ("scalar", "dimension", "degree", "coordinate_range", "generator") if d != across and varies(d)), "generator")
 
 
@@ -68,8 +69,7 @@ def _counted(column):
 def _where(row, across, down):
     """What all rows of a table have in common."""
     parts = {"degree": f"degree {shortest(row['degree'])}", "scalar": row["scalar"], "dimension": count(int(row["dimension"] or 0), "axis", "axes"),
-             "coordinate_range": f"R = {shortest(row['coordinate_range'])}", "interval": f"t in {interval(*row['interval'])}",
-             "generator": f"{row['generator']} inputs"}
+             **inputs.parts(row)}
     if row["knots"] is not None:
         parts["knots"] = f"{row['knots']} knots"
     return ", ".join(text for name, text in parts.items() if name not in (across, down))
@@ -77,7 +77,7 @@ def _where(row, across, down):
 
 def named(down, kind):
     """A kind of inputs in words: `degree 3`."""
-    return NAMES[down].format(shortest(kind) if isinstance(kind, float) else kind)
+    return NAMES[down].format(shortest(kind) if isinstance(kind, float) else inputs.PLACED.get(kind, kind))
 
 
 def _pair(study, rows, across, down, curves):
@@ -85,7 +85,7 @@ def _pair(study, rows, across, down, curves):
     where, trials, kinds = _where(rows[0], across, down), large(max(r["trials"] for r in rows)), distinct(rows, down)
     drawn = down in DRAWN
 
-    means = [(named(down, k) + (" inputs" if down == "generator" else ""), _number("mean_error_u"), {down: k}) for k in kinds]
+    means = [(inputs.kind(k) if down == "generator" else named(down, k), _number("mean_error_u"), {down: k}) for k in kinds]
     yield by_axis(rows, across, f"{study}-mean", f"Mean error over u p~, {english} ({where}, {trials} trials per cell)",
                   f"平均误差（以 u p~ 计），{chinese}", means, row_head="inputs" if down == "generator" else down)
     lines = [(f"largest, {named(down, k)}", _number("max_error_u"), {down: k}) for k in kinds]
@@ -108,8 +108,9 @@ def _bounds(rows):
 def tolerance_tables(study, rows, caption, caption_zh, lines):
     """Tables of methods that are given a tolerance, for each kind of curves, tolerances side by side. `lines` are (label, column, function of
     a value to its text)."""
-    for number, ((degree, size, generator), members) in enumerate(grouped(rows, "degree", "coordinate_range", "generator").items(), 1):
-        where = f"degree {shortest(degree)}, R = {shortest(size)}, {generator} inputs, {shortest(members[0]['trials'])} curves"
+    for number, members in enumerate(grouped(rows, "degree", "coordinate_range", *inputs.ONE_SET).values(), 1):
+        row = members[0]
+        where = f"degree {shortest(row['degree'])}, {count(int(row['dimension'] or 0), 'axis', 'axes')}, {inputs.words(row, 'interval')}, {large(row['trials'])} trials"
         yield by_axis(members, "tolerance", f"{study}-{number}", f"{caption} ({where})", caption_zh,
                       [(label, one(column, write, "outside" if column == "broken_promises" else ""), {}) for label, column, write in lines],
                       row_head="quantity")

@@ -7,16 +7,16 @@ import unittest
 
 from . import fixture
 from .bundle import Bundle, Row
-from .chapters.speed import roofline, timing
+from .chapters.speed import timing
 from .findings.conclusions import time_order
 from .time_tables import nearness, orders, reading_limits, reading_load
 
 
-def _row(method, ns, limit, mode="point", degree=5, call=2.0, chain=None, file="timing.csv", **more):
+def _row(method, ns, limit, mode="point", degree=5, call=2.0, chain=None, **more):
     """A time that is known to a percent."""
     values = dict(study="s", method=method, scalar="double", dimension=2.0, degree=float(degree), mode=mode, median_ns=float(ns), low_ns=0.99 * ns,
                   high_ns=1.01 * ns, call_ns=call, limit_ns=limit and float(limit), share_of_limit=limit and limit / (ns - call), chain_ns=chain, **more)
-    return Row(file, 2, values, {})
+    return Row("timing.csv", 2, values, {})
 
 
 def _said(rows):
@@ -48,8 +48,6 @@ class Nearness(unittest.TestCase):
     def test_compares_within_a_race_and_only_what_is_apart(self):
         for other in (_row("b", 10.1, 2), _row("b", 20, 2, degree=6), _row("b", 20, 2, mode="latency"), _row("b", 20, 2, generator="integer")):
             self.assertEqual(orders([_row("a", 10, 1), other]), ({}, {}))
-        targets = [_row("a", 10, 1, file="roofline.csv", target="AVX2"), _row("b", 20, 2, file="roofline.csv", target="AVX3")]
-        self.assertEqual(orders(targets), ({}, {}))
         self.assertIn("No two methods of a race differ in time.", _said([_row("a", 10, 1)]))
 
     def test_methods_of_equal_limits_have_no_order_there(self):
@@ -86,16 +84,6 @@ class Page(unittest.TestCase):
         self.assertFalse(any("limit" in t for t in texts))
         self.assertTrue(any("a lenient one" in t for t in texts))
         self.assertNotIn("At the limits", " ".join(found.detail))
-
-    def test_the_roofline_says_it_by_mode(self):
-        with tempfile.TemporaryDirectory() as place:
-            blocks = list(roofline(Bundle(fixture.write(f"{place}/b")), ([], [])))
-        tables = [b for b in blocks if b.kind == "table" and b.id.startswith("roofline-bezier-double")]
-        lines = {label: cells[0].text for label, cells in tables[0].groups[0].rows}
-        self.assertEqual(set(lines), {"AVX2", "scalar, point"})
-        self.assertTrue(lines["scalar, point"].endswith(", 30 % of the limit"), lines)
-        self.assertIn("65 %", lines["AVX2"])
-        self.assertTrue(any(b.kind == "bullets" and any(line.startswith("`batch`: shares from 30 %") for line in b.items) for b in blocks))
 
     def test_says_the_load(self):
         texts, _ = self.blocks(machine={"load_average": [0.5, 1, 12.25], "cpu": {"logical_cores_available": 2}})

@@ -84,7 +84,7 @@ def _answer(answer):
                 roundoff={**ROUNDOFF, **{c["scalar"]: ROUNDOFF["double"] for c in cells if c["scalar"] not in ROUNDOFF}})
 
 
-KEY = ("study", "method", "scalar", "dimension", "degree", "coordinate_range", "t_min", "t_max", "generator")
+KEY = ("study", "method", "scalar", "dimension", "degree", "coordinate_range", "t_min", "t_max", "curves", "generator")
 
 
 def _replays(bundle):

@@ -5,7 +5,7 @@ from .document import Cell, Group, Table
 from .rows import fits, grouped
 from .wording import general, interval, shortest
 
-AXIS = {"degree": "degree n", "order": "order k", "coordinate_range": "R of the range [-R, R]", "interval": "interval of t"}
+AXIS = {"degree": "degree n", "order": "order k", "coordinate_range": "R of the range [-R, R]", "interval": "interval of t", "curves": "set of curves"}
 
 
 def axis_label(value, axis):

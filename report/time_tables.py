@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Times by the problem that was solved: a table for each timing study, and how near its times are to the limits of the processor."""
 
-from . import schema
+from . import inputs, schema
 from .bundle import Missing
 from .document import Bullets, Cell, Text
 from .rows import distinct, grouped
@@ -12,7 +12,7 @@ EVALUATION = "evaluation"
 # columns in which the lines of a method may differ, and their values in words
 APART = {"mode": str, "degree": lambda v: f"degree {shortest(v)}", "order": lambda v: f"order {shortest(v)}",
          "tolerance": lambda v: f"to {shortest(v)}", "data": str, "points": lambda v: f"{shortest(v)} points",
-         "coordinate_range": lambda v: f"R = {shortest(v)}", "generator": lambda v: f"{v} inputs", "interval": lambda v: f"t in {interval(*v)}"}
+         "coordinate_range": lambda v: f"R = {shortest(v)}", "curves": lambda v: f"set {v}", "generator": inputs.kind, "interval": lambda v: f"t in {interval(*v)}"}
 MICROSECONDS = 1e4  # ns from which on a time is easier to read in µs,
 SHORTEST = 1e2  # where the shortest is at least a tenth of one
 HALF = 0.5  # of the limit, the goal of a coding

@@ -30,7 +30,7 @@ ENTRY = re.compile(rf"^(?:###|-) {KEY} \S", re.MULTILINE)
 UNLISTED = re.compile(r"\b(?:1[89]|20)\d\d\b(?!\^|,\d)|\b(?:[Rr]eport|[Dd]ocument)s? 00\d\b")
 LABEL_IN_A_LINE = re.compile(rf"^// .*\S +(?:{'|'.join(LABELS)}): ")
 PROOF_PAGE = re.compile(rf"{PROOFS}/\w+\.md")
-COMMENT = re.compile(r"//[/<! ]*(.*)$")
+COMMENT = re.compile(r"(?<!:)//[/<! ]*(.*)$")
 INCLUDE = re.compile(r'#include "(core/[^"]+)"')
 
 

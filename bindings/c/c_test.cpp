@@ -6,6 +6,8 @@
 #include <array>
 #include <cfenv>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
 #include <limits>
 #include <string>
 #include <thread>
@@ -252,6 +254,46 @@ TEST(C, ASplineThatCannotBeIsRefused) {
   EXPECT_EQ(status({BB_UNIFORM, BB_NOT_A_KNOT, 0, nullptr, nullptr}), BB_ERROR_OVERFLOW);
   EXPECT_EQ(segments, std::vector<double>(8, 7));
   EXPECT_EQ(status({BB_UNIFORM, BB_NATURAL, 1, nullptr, nullptr}), BB_OK);  // monotone stays within the points
+}
+
+TEST(C, FilesOfCurvesAreRead) {
+  const std::string file = testing::TempDir() + "bezierbench_c_test.svg";
+  const auto write = [&](const std::string& text) { std::ofstream(file) << text; };
+  write("<svg><path id='a' d='M0,0 L1,2 q1,1 2,0'/><circle r='2'/></svg>");
+  bb_curves* curves = nullptr;
+  std::array<char, 100> message{};
+  ASSERT_EQ(bb_curves_read(file.c_str(), message.data(), message.size(), &curves), BB_OK);
+  ASSERT_EQ(bb_curves_count(curves), 6);
+  bb_curve curve;
+  ASSERT_EQ(bb_curves_at(curves, 1, &curve), BB_OK);
+  EXPECT_EQ(std::vector(curve.points, curve.points + 6), (std::vector<double>{1, 2, 2, 3, 3, 2}));
+  EXPECT_EQ(curve.weights, nullptr);
+  ASSERT_EQ(bb_curves_at(curves, 2, &curve), BB_OK);
+  EXPECT_EQ(curve.form, BB_RATIONAL);
+  EXPECT_EQ(curve.weights[1], std::sqrt(0.5));
+  int begins = -1;
+  ASSERT_EQ(bb_curves_begins_path(curves, 1, &begins), BB_OK);
+  EXPECT_EQ(begins, 0);
+  ASSERT_EQ(bb_curves_begins_path(curves, 2, &begins), BB_OK);
+  EXPECT_EQ(begins, 1);
+  std::array<char, 6> id{};
+  std::size_t required = 0;
+  EXPECT_EQ(bb_curves_id(curves, 1, id.data(), 5, &required), BB_ERROR_COUNT);
+  EXPECT_EQ(required, 6);
+  ASSERT_EQ(bb_curves_id(curves, 1, id.data(), id.size(), nullptr), BB_OK);
+  EXPECT_STREQ(id.data(), "a:0:1");
+  EXPECT_EQ(bb_curves_at(curves, 6, &curve), BB_ERROR_COUNT);
+  EXPECT_EQ(bb_curves_at(nullptr, 0, &curve), BB_ERROR_NULL);
+  bb_curves_free(curves);
+  bb_curves_free(nullptr);
+  write("<svg><path d='M0,0 L1,x'/></svg>");
+  EXPECT_EQ(bb_curves_read(file.c_str(), message.data(), message.size(), &curves), BB_ERROR_FILE);
+  EXPECT_NE(std::string(message.data()).find(".svg:1:23: "), std::string::npos) << message.data();
+  EXPECT_EQ(bb_curves_read(file.c_str(), nullptr, 0, &curves), BB_ERROR_FILE);
+  EXPECT_EQ(bb_curves_read("/absent.csv", message.data(), message.size(), &curves), BB_ERROR_FILE);
+  EXPECT_STREQ(message.data(), "/absent.csv: cannot be read; check that it is a readable file");
+  EXPECT_EQ(bb_curves_read(nullptr, nullptr, 0, &curves), BB_ERROR_NULL);
+  std::remove(file.c_str());
 }
 
 /// x = 2t + t^2, x' = 2 + 2t, x'' = 2.

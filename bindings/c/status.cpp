@@ -62,6 +62,7 @@ const char* bb_strerror(int status) {
     case BB_ERROR_INTERNAL: return "a defect of libbezierbench; please report it";
     case BB_ERROR_REPEATED:
       return "a point repeats the one before it, so that the parameter takes no step; leave it out";
+    case BB_ERROR_FILE: return "the file cannot be read, or breaks a rule of its kind; see the message";
     default: return "not a status of this version of libbezierbench";
   }
 }

@@ -298,6 +298,24 @@ class Problems(unittest.TestCase):
             bezierbench.fit(CURVE, 0.1, method.id)
 
 
+class CurveFiles(unittest.TestCase):
+    def test_curves_of_a_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "größe.svg"
+            file.write_text("<svg><path id='a' d='M0,0 L1,2 q1,1 2,0'/><circle r='2'/></svg>", encoding="utf-8")
+            line, quadratic, *quarters = bezierbench.curves(file)
+            self.assertEqual((line.id, line.form, line.weights, line.begins_path), ("a:0:0", "bernstein", None, True))
+            np.testing.assert_array_equal(quadratic.points, [[1, 2], [2, 3], [3, 2]])
+            self.assertFalse(quadratic.begins_path)
+            self.assertEqual(len(quarters), 4)
+            np.testing.assert_array_equal(quarters[0].weights, [1, math.sqrt(0.5), 1])
+            file.write_text("<svg><path d='M0,0 L1,x'/></svg>", encoding="utf-8")
+            with self.assertRaisesRegex(bezierbench.Error, "größe.svg:1:23: .*number"):
+                bezierbench.curves(str(file))
+        with self.assertRaisesRegex(bezierbench.Error, "cannot be read"):
+            bezierbench.curves(folder)
+
+
 class Bundles(unittest.TestCase):
     baseline = ROOT / "results/baseline"
 

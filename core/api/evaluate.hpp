@@ -19,6 +19,7 @@
 #include "core/api/control_points.hpp"
 #include "core/api/recommended.hpp"
 #include "core/bound/amplification.hpp"
+#include "core/bound/locality.hpp"
 #include "core/convert/roster.hpp"
 #include "core/evaluate/roster.hpp"
 #include "core/evaluate/via.hpp"
@@ -171,42 +172,73 @@ PointOf<Points> evaluate(const Points& points, const Weights& weights,
 
 namespace detail {
 
+/// The amplification at t of coefficients on one axis.
+inline double amplification_of(Amplification kind, std::span<const double> coefficients, double t) {
+  const bool from_end = anchor_of(kind) == Anchor::nearer_end && t + t > 1;
+  const double anchor = anchor_of(kind) == Anchor::none ? 0 : from_end ? coefficients.back() : coefficients.front();
+  return amplification(
+      kind, static_cast<int>(coefficients.size()) - 1,
+      [&](int i) { return std::abs(coefficients[static_cast<std::size_t>(i)] - anchor); }, t);
+}
+
 /// The bound of core/bound/error_bound.hpp on one axis, with |p| <= p~, raised by more than its own rounding.
 template <class Scalar>
-double bound_on_axis(const ErrorBound& bound, Form form, std::span<const double> magnitudes, double t) {
+double bound_on_axis(const ErrorBound& bound, Form form, std::span<const double> coefficients, double t) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   constexpr bool single = sizeof(Scalar) == sizeof(float);
   constexpr double u = single ? 0x1p-24 : 0x1p-53;
   constexpr double eta = single ? 0x1p-149 : 0x1p-1074;
   if (bound.unit_interval_only && !(t >= 0 && t <= 1)) return infinite;
-  const int n = static_cast<int>(magnitudes.size()) - 1;
-  const double largest = std::ranges::max(magnitudes);
+  const int n = static_cast<int>(coefficients.size()) - 1;
+  double largest = 0;
+  for (const double value : coefficients) largest = std::max(largest, std::abs(value));
   const bool powers_apart = bound.underflow_scales_with_coefficients;
   const double reach = integer_power(std::abs(t) + std::abs(1 - t), n);
   if (!stays_in_range(bound.growth(n) * (powers_apart ? std::max(largest, 1.0) : largest) * reach, n, u))
     return infinite;
-  const double size = bound.result_roundings > 0 ? amplification(p_tilde_of(form), magnitudes, t) : 0;
+  const double size = bound.result_roundings > 0 ? amplification_of(p_tilde_of(form), coefficients, t) : 0;
   const double rounding =
-      (bound.result_roundings * size + bound.factor(n, u) * amplification(bound.amplification, magnitudes, t)) * u;
+      (bound.result_roundings * size + bound.factor(n, u) * amplification_of(bound.amplification, coefficients, t)) * u;
   const double underflow = eta * (powers_apart ? 1 + largest : 1) * std::ceil(bound.underflow(n)) * reach;
   const double total = (rounding + underflow) * (1 + 0x1p-20);
   return total >= 0 ? total : infinite;
 }
 
 template <class Points>
+auto bounds_of(const ErrorBound& bound, Form form, const Points& points, double t) {
+  constexpr auto dimension = static_cast<std::size_t>(dimension_of_points<Points>);
+  const int n = degree_of_points(points);
+  std::array<double, dimension> result;
+  std::array<double, max_degree + 1> coefficients;
+  for (std::size_t axis = 0; axis < dimension; ++axis) {
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(n); ++i)
+      coefficients[i] = static_cast<double>(std::ranges::data(points)[i][axis]);
+    result[axis] = bound_on_axis<ScalarOf<Points>>(
+        bound, form, std::span<const double>(coefficients.data(), static_cast<std::size_t>(n) + 1), t);
+  }
+  return result;
+}
+
+template <class Points>
 auto bounds_of(const MethodInfo& info, Form form, const Points& points, double t) {
   constexpr auto dimension = static_cast<std::size_t>(dimension_of_points<Points>);
+  constexpr double u = sizeof(ScalarOf<Points>) == sizeof(float) ? 0x1p-24 : 0x1p-53;
   std::array<double, dimension> result;
   result.fill(std::numeric_limits<double>::infinity());
   if (!info.bound) return result;
+  if (info.bound->of_local == nullptr) return bounds_of(*info.bound, form, points, t);
   const int n = degree_of_points(points);
-  std::array<double, max_degree + 1> magnitudes;
-  for (std::size_t axis = 0; axis < dimension; ++axis) {
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(n); ++i)
-      magnitudes[i] = std::abs(static_cast<double>(std::ranges::data(points)[i][axis]));
-    result[axis] = bound_on_axis<ScalarOf<Points>>(
-        *info.bound, form, std::span<const double>(magnitudes.data(), static_cast<std::size_t>(n) + 1), t);
-  }
+  const auto coordinate = [&points](int axis, int i) {
+    return static_cast<double>(std::ranges::data(points)[static_cast<std::size_t>(i)][static_cast<std::size_t>(axis)]);
+  };
+  const auto kind = local_or_not(locality(n, static_cast<int>(dimension), coordinate), n, u);
+  result.fill(0);
+  const auto raise_to = [&](const ErrorBound& bound) {
+    const auto further = bounds_of(bound, form, points, t);
+    for (std::size_t axis = 0; axis < dimension; ++axis) result[axis] = std::max(result[axis], further[axis]);
+  };
+  if (kind.may_be_local) raise_to(*info.bound->of_local);
+  if (kind.may_be_other) raise_to(*info.bound);
   return result;
 }
 

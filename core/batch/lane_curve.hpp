@@ -7,6 +7,7 @@
 #include "core/batch/target_table.hpp"
 #include "core/evaluate/methods/de_casteljau_fixed_point.hpp"
 #include "core/evaluate/methods/direct.hpp"
+#include "core/evaluate/methods/local_or_bernstein.hpp"
 #include "core/evaluate/methods/wozny_chudy_rational.hpp"
 #include "core/evaluate/schemes/barycentric.hpp"
 #include "core/evaluate/schemes/correctly_rounded_pair.hpp"
@@ -81,6 +82,16 @@ struct Direct::Prepared<batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, Degre
 };
 
 template <class S, int Count, int DimensionT, int DegreeT>
+struct LocalOrBernstein::Prepared<batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> {
+  HWY_INLINE explicit Prepared(const batch::Parts<S>& parts)
+      : from_start(parts.first, parts.degree), from_end(parts.second, parts.degree), choice(parts.third) {}
+
+  Curve<Form::power, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> from_start;
+  Curve<Form::power, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> from_end;
+  batch::HWY_NAMESPACE::Row<S, Count> choice;
+};
+
+template <class S, int Count, int DimensionT, int DegreeT>
 struct WoznyChudyRational::Prepared<batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> {
   HWY_INLINE explicit Prepared(const batch::Parts<S>& parts)
       : points(parts.first, parts.degree), ratios(parts.second) {}
@@ -150,6 +161,27 @@ namespace batch::HWY_NAMESPACE {
 template <class S, int Count, Curves Which, int Dimension, int Degree>
 using ControlPoints = Curve<Form::bernstein, Lanes<S, Count, Which>, Dimension, Degree>;
 
+/// In each lane the coefficients of one of two curves.
+template <Form F, class L, int Dimension, int Degree>
+class Chosen {
+ public:
+  using Scalar = L;
+  using Either = Curve<F, L, Dimension, Degree>;
+
+  HWY_INLINE Chosen(const typename L::Mask& is_first, const Either& first, const Either& second)
+      : is_first_(is_first), first_(first), second_(second) {}
+
+  [[nodiscard]] HWY_INLINE int degree() const { return first_.degree(); }
+  [[nodiscard]] HWY_INLINE L operator()(int axis, int i) const {
+    return select(is_first_, first_(axis, i), second_(axis, i));
+  }
+
+ private:
+  typename L::Mask is_first_;
+  const Either& first_;
+  const Either& second_;
+};
+
 /// The curve with its coefficients counted, in each lane, from the end that t is nearer to.
 template <class S, int Count, Curves Which, int Dimension, int Degree>
 struct EitherEnd {
@@ -173,6 +205,34 @@ HWY_INLINE Lanes<S, Count, Which> from_nearer_end(const LaneMask<S, Count>& from
                                                   const ControlPoints<S, Count, Which, Dimension, Degree>& curve,
                                                   int axis, int i) {
   return reversed_unless(from_start, curve)(axis, i);
+}
+
+}  // namespace batch::HWY_NAMESPACE
+
+/// The template argument `Degree` of a curve that is one of two, of a degree that is known at run time.
+inline constexpr int one_of_two = -3;
+
+template <Form F, class S, int Count, int DimensionT>
+class Curve<F, batch::HWY_NAMESPACE::Lanes<S, Count, batch::HWY_NAMESPACE::Curves::one>, DimensionT, one_of_two>
+    : public batch::HWY_NAMESPACE::Chosen<F, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, dynamic> {
+ public:
+  using Curve::Chosen::Chosen;
+};
+template <Form F, class S, int Count, int DimensionT>
+class Curve<F, batch::HWY_NAMESPACE::Lanes<S, Count, batch::HWY_NAMESPACE::Curves::each>, DimensionT, one_of_two>
+    : public batch::HWY_NAMESPACE::Chosen<F, batch::HWY_NAMESPACE::Lanes<S, Count, batch::HWY_NAMESPACE::Curves::each>,
+                                          DimensionT, dynamic> {
+ public:
+  using Curve::Chosen::Chosen;
+};
+
+namespace batch::HWY_NAMESPACE {
+
+template <Form F, class S, int Count, Curves Which, int Dimension, int Degree>
+HWY_INLINE Curve<F, Lanes<S, Count, Which>, Dimension, one_of_two> chosen(
+    const LaneMask<S, Count>& is_first, const Curve<F, Lanes<S, Count, Which>, Dimension, Degree>& first,
+    const Curve<F, Lanes<S, Count, Which>, Dimension, Degree>& second) {
+  return {is_first, first, second};
 }
 
 }  // namespace batch::HWY_NAMESPACE

@@ -114,7 +114,7 @@ HWY_INLINE Point<L, Dimension> run_axes(const Source& curve, const Step& step) {
   Point<L, Dimension> point;
   for (int axis = 0; axis < Dimension; ++axis) {
     const auto in = [&](int i) { return curve(axis, i); };
-    if constexpr (Degree == dynamic)
+    if constexpr (Degree < 0)  // known at run time
       point[axis] = apex<L>(curve.degree(), in, step);
     else
       point[axis] = apex_unrolled<L>(in, step, std::make_integer_sequence<int, Degree>());

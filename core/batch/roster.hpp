@@ -64,12 +64,17 @@ struct UnrolledTriangle : Triangle<EvaluatorT> {
   static constexpr int largest_unrolled_degree = 12;
 };
 
+/// About the nearer end: each lane chooses between two coefficients.
+template <class EvaluatorT>
+using LocalEntry = Entry<EvaluatorT, EvaluatorT, 1, 3>;
+
 /// Evaluators whose kernels for one target and scalar type are compiled together: each family is a translation unit of
 /// some seconds, named in CMakeLists.txt. `Fused` is for targets that have a fused multiply-add in hardware.
 struct Triangles {
-  using Unfused = TypeList<Triangle<DeCasteljau>,      //
-                           Triangle<DeCasteljauLerp>,  //
-                           Triangle<DeCasteljauTwoSided>>;
+  using Unfused = TypeList<Triangle<DeCasteljau>,          //
+                           Triangle<DeCasteljauLerp>,      //
+                           Triangle<DeCasteljauTwoSided>,  //
+                           Entry<Local<DeCasteljau>, Local<DeCasteljau>, 0, 6>>;
   using Fused = TypeList<Triangle<DeCasteljauFma>, UnrolledTriangle<DeCasteljauLerpFma>,
                          OneCurve<Entry<DeCasteljauFixedPoint, DeCasteljauFixedPoint, 0, 6>>>;
 };
@@ -86,7 +91,10 @@ struct Sums {
                Entry<Horner, TheCurve<Form::power>, 1, 1>,     //
                Entry<HornerCentered, TheCurve<Form::power_centered>, 1, 1>, Entry<Estrin, TheCurve<Form::power>, 0, 3>>;
   using Fused =
-      TypeList<Entry<HornerBernsteinFma, HornerBernstein, 1, 1>, Entry<HornerFma, TheCurve<Form::power>, 1, 1>>;
+      TypeList<Entry<HornerBernsteinFma, HornerBernstein, 1, 1>, Entry<HornerFma, TheCurve<Form::power>, 1, 1>,
+               Entry<HornerCorrected, TheCurve<Form::power>, 2, 1>, LocalEntry<Local<HornerBernsteinFma>>,
+               LocalEntry<LocalOrBernstein::Plain>, LocalEntry<LocalOrBernstein::Corrected>,
+               LocalEntry<LocalOrBernstein>>;
 };
 
 /// Those whose divisions take most of the time.

@@ -21,6 +21,10 @@ HWY_INLINE Prepared prepared_from(const Parts<S>& parts) {
     return Prepared{parts.first, parts.degree};
   else if constexpr (requires { Prepared{{parts.first, parts.degree}, {parts.second, parts.degree}}; })
     return Prepared{{parts.first, parts.degree}, {parts.second, parts.degree}};
+  else if constexpr (requires {
+                       Prepared{{parts.first, parts.degree}, {parts.second, parts.degree}, {parts.third, 0}};
+                     })
+    return Prepared{{parts.first, parts.degree}, {parts.second, parts.degree}, {parts.third, parts.degree}};
   else
     return Prepared{{parts.first, parts.degree}};
 }
@@ -46,11 +50,14 @@ template <class Entry, class S, int Dimension>
                                                      std::size_t axis_stride) {
   using L = Lanes<S, vectors<Entry>(Dimension)>;
   const auto prepared = prepared_from<typename Entry::State::template Prepared<L, Dimension, dynamic>>(parts);
-  for (; blocks > 0; --blocks, t += L::size, points += L::size) {
-    const Point<L, Dimension> point = Entry::Evaluator::evaluate(prepared, L::load(t));
-    for (int axis = 0; axis < Dimension; ++axis)
-      point[axis].store(points + static_cast<std::size_t>(axis) * axis_stride);
-  }
+  with_evaluation<typename Entry::Evaluator>(prepared, [=](const auto& point_at) {
+    S* next = points;
+    for (std::size_t k = 0; k < blocks; ++k, next += L::size) {
+      const Point<L, Dimension> point = point_at(L::load(t + k * L::size));
+      for (int axis = 0; axis < Dimension; ++axis)
+        point[axis].store(next + static_cast<std::size_t>(axis) * axis_stride);
+    }
+  });
 }
 
 /// Every coefficient in all lanes, on the stack. It is copied to the lanes once: a compiler would do so again for every

@@ -10,6 +10,7 @@
 //   forward substitution   sum c_j x^j (3x+y)^(n-j)
 //   p~, centred form       sum c_j z^j with z = |t - 1/2|
 //   Bernstein -> centred   (1/2 + z)^n sum c_i C(n,i)
+// The three kinds of `spread` are sums of this table whose c_i stands for |b_i - b|, with b an end of the curve.
 // For rational curves c_i stands for |w_i b_i|, and p~ is the sum for the Bernstein form over |sum w_i B_i(t)|.
 // docs/proofs/amplification.md derives them.
 #pragma once
@@ -105,8 +106,8 @@ Real power_sum_of(int n, const Coefficient& c, const Real& x, const Real& y) {
   return detail::moderate_or_scaled<Real>(moderate, sum, n, c, x, y, false);
 }
 
-/// The amplification at t of the n+1 coefficients whose magnitudes are c(0), ..., c(n). `Real` is double, or many lanes
-/// with a curve and a t in each; every lane has the bits of the double.
+/// The amplification at t of the n+1 coefficients whose magnitudes are c(0), ..., c(n), counted from the anchor of the
+/// kind. `Real` is double, or many lanes with a curve and a t in each; every lane has the bits of the double.
 template <class Real, class Coefficient>
 Real amplification(Amplification kind, int n, const Coefficient& c, const Real& t) {
   using std::abs;
@@ -123,6 +124,12 @@ Real amplification(Amplification kind, int n, const Coefficient& c, const Real& 
     case Amplification::forward_substitution: return power_sum_of<Real>(n, c, x, Real(3) * x + y);
     case Amplification::p_tilde_centered: return power_sum_of(n, c, z, one);
     case Amplification::bernstein_to_centered: return bernstein_sum<Real>(n, c, half + z, half + z);
+    case Amplification::spread: return bernstein_sum(n, c, x, y);
+    case Amplification::spread_to_power: {
+      const auto near_start = t + t <= one;
+      return bernstein_sum<Real>(n, c, select(near_start, x, one + y), select(near_start, one + x, y));
+    }
+    case Amplification::spread_to_power_from_start: return bernstein_sum<Real>(n, c, x, one + x);
   }
   return Real(0);
 }

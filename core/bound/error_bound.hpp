@@ -7,18 +7,34 @@
 
 namespace bezierbench {
 
-/// The sum that a forward error bound multiplies; c are the given coefficients, x = |t|, y = |1 - t|.
+/// The sum that a forward error bound multiplies; c are the given coefficients, x = |t|, y = |1 - t|. d are the
+/// differences of control points from the end that t is nearer to, from b_0 for t <= 1/2, and z = min(x, y).
 /// Each is derived in core/bound/amplification.hpp.
 enum class Amplification {
-  p_tilde_bernstein,     ///< sum |c_i| C(n,i) x^i y^(n-i)
-  p_tilde_power,         ///< sum |c_j| x^j
-  bernstein_to_power,    ///< sum |c_i| C(n,i) x^i (1 + x)^(n-i), at most (1 + 2x)^n max|c|
-  power_to_bernstein,    ///< sum |c_j| x^j (x + y)^(n-j), which is p~ for t in [0,1]
-  forward_substitution,  ///< sum |c_j| x^j (3x + y)^(n-j): the signed solve amplifies like 3^n at t = 1
-  p_tilde_centered,      ///< sum |c_j| |t - 1/2|^j
-  bernstein_to_centered  ///< sum |c_i| C(n,i) (1/2 + |t - 1/2|)^n, at most (1 + 2|t - 1/2|)^n max|c|
+  p_tilde_bernstein,          ///< sum |c_i| C(n,i) x^i y^(n-i)
+  p_tilde_power,              ///< sum |c_j| x^j
+  bernstein_to_power,         ///< sum |c_i| C(n,i) x^i (1 + x)^(n-i), at most (1 + 2x)^n max|c|
+  power_to_bernstein,         ///< sum |c_j| x^j (x + y)^(n-j), which is p~ for t in [0,1]
+  forward_substitution,       ///< sum |c_j| x^j (3x + y)^(n-j): the signed solve amplifies like 3^n at t = 1
+  p_tilde_centered,           ///< sum |c_j| |t - 1/2|^j
+  bernstein_to_centered,      ///< sum |c_i| C(n,i) (1/2 + |t - 1/2|)^n, at most (1 + 2|t - 1/2|)^n max|c|
+  spread,                     ///< sum |d_i| C(n,i) x^i y^(n-i)
+  spread_to_power,            ///< sum |d_i| C(n,i) z^i (1 + z)^(n-i), with d_i counted from the nearer end
+  spread_to_power_from_start  ///< sum |c_i - c_0| C(n,i) x^i (1 + x)^(n-i)
 };
-inline constexpr int amplification_count = 7;
+inline constexpr int amplification_count = 10;
+
+/// The control point that a sum counts magnitudes from: none, b_0, or the end that t is nearer to.
+enum class Anchor { none, start, nearer_end };
+
+constexpr Anchor anchor_of(Amplification kind) {
+  switch (kind) {
+    case Amplification::spread:
+    case Amplification::spread_to_power: return Anchor::nearer_end;
+    case Amplification::spread_to_power_from_start: return Anchor::start;
+    default: return Anchor::none;
+  }
+}
 
 /// Proved bound on each axis:
 ///   |computed - true| <= result_roundings u |p| + factor(n, u) u A + underflow(n) eta S (x + y)^n,
@@ -47,6 +63,14 @@ struct ErrorBound {
   bool unit_interval_only = false;     ///< proved for 0 <= t <= 1 only
   bool positive_weights_only = false;  ///< of a rational method: weights of 0 are not allowed
   double result_roundings = 0;  ///< roundings of the result itself: all that is left when the rest is compensated
+  /// Of a method that chooses by curve: the bound of curves that are local (core/bound/locality.hpp). All else here is
+  /// of the others.
+  const ErrorBound* of_local = nullptr;
+  /// Of a method for power form that adds c_0 last, so that it rounds c_0 in the result only: also
+  ///   |computed - true| <= constant_roundings u |p| + factor(n, u) u sum_(j>0) |c_j| x^j
+  ///                        + underflow(n) eta S (x + y)^n.
+  /// 0 of all other methods.
+  double constant_roundings = 0;
 };
 
 /// gamma_k / u = k / (1 - k u): how much k roundings can change a product ([Higham 2002], Lemma 3.1), in units of u.

@@ -13,7 +13,8 @@ namespace bezierbench {
 
 /// The bound of a conversion states what its coefficient errors can do to the curve: on each axis
 /// sum |computed - true coefficient| |basis function(t)| <= factor u A + underflow eta S (x + y)^n.
-/// `coefficient_growth(n)` bounds max|converted| / max|given|.
+/// `coefficient_growth(n)` bounds max|converted| / max|given|. Where it declares `of_differences`, coefficient 0 is b_0
+/// and the others are made from differences of control points, so that in A |c_i - c_0| may stand for |c_i|.
 template <class C>
 concept Conversion = requires(const Curve<C::info.form, double, 2>& curve) {
   requires C::info.problem == Problem::conversion;

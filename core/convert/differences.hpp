@@ -35,6 +35,7 @@ struct Differences : SameForEveryAxis {
   static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
 
   static constexpr Form target = Form::power;
+  static constexpr bool of_differences = true;
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power, Scalar, Dimension, computed_degree<Degree>> convert(

@@ -71,6 +71,7 @@ struct ExactToPower {
                                    .citation = "[Farouki 2012], the definition, in exact arithmetic"};
 
   static constexpr Form target = Form::power;
+  static constexpr bool of_differences = true;
   static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
 
   template <class Scalar, int Dimension, int Degree>

@@ -36,6 +36,16 @@ struct TakenAsGiven {
 template <class E>
 concept PreparesNothing = std::is_base_of_v<TakenAsGiven<E::info.form>, E>;
 
+/// Calls `use` with the point as a function of t: of a method that chooses by curve with what it chose, so that a loop
+/// over t chooses once.
+template <class E, class Prepared, class Use>
+void with_evaluation(const Prepared& prepared, const Use& use) {
+  if constexpr (requires { E::with_chosen(prepared, use); })
+    E::with_chosen(prepared, use);
+  else
+    use([&prepared](const auto& t) { return E::evaluate(prepared, t); });
+}
+
 template <class Scalar, int Degree>
 struct PreparedRowType {
   using Type = PerCoefficient<Scalar, Degree>;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/evaluate/homogeneous.hpp"
+#include "core/evaluate/local.hpp"
 #include "core/evaluate/methods/barycentric_chebyshev.hpp"
 #include "core/evaluate/methods/barycentric_uniform.hpp"
 #include "core/evaluate/methods/compensated_de_casteljau.hpp"
@@ -25,8 +26,10 @@
 #include "core/evaluate/methods/horner_bernstein.hpp"
 #include "core/evaluate/methods/horner_bernstein_fma.hpp"
 #include "core/evaluate/methods/horner_centered.hpp"
+#include "core/evaluate/methods/horner_corrected.hpp"
 #include "core/evaluate/methods/horner_dd.hpp"
 #include "core/evaluate/methods/horner_fma.hpp"
+#include "core/evaluate/methods/local_or_bernstein.hpp"
 #include "core/evaluate/methods/power_sum.hpp"
 #include "core/evaluate/methods/seiler.hpp"
 #include "core/evaluate/methods/volk_schumaker.hpp"
@@ -60,9 +63,15 @@ using Evaluators = TypeList<Direct,                             //
                             BarycentricUniform,                 //
                             WangBall,                           //
                             Seiler,                             //
+                            Local<DeCasteljau>,                 //
+                            Local<HornerBernsteinFma>,          //
+                            LocalOrBernstein::Plain,            //
+                            LocalOrBernstein::Corrected,        //
+                            LocalOrBernstein,                   //
                             PowerSum,                           //
                             Horner,                             //
                             HornerFma,                          //
+                            HornerCorrected,                    //
                             CompensatedHorner,                  //
                             CompensatedHornerK3,                //
                             CompensatedHornerK4,                //

@@ -68,7 +68,7 @@ class Method : public testing::TestWithParam<std::size_t> {};  ///< by its place
 
 TEST_P(Method, StatesWhatItIs) {
   const auto& info = *kernels<double>(2)[GetParam()].info;
-  EXPECT_THAT(std::string(info.id), testing::MatchesRegex("[a-z0-9_]+(:[a-z0-9_]+)?"));
+  EXPECT_THAT(std::string(info.id), testing::MatchesRegex("[a-z0-9_]+(:[a-z0-9_]+){0,3}"));
   EXPECT_FALSE(info.label.empty());
   EXPECT_FALSE(info.citation.empty());
   EXPECT_FALSE(info.flops.empty());

@@ -26,6 +26,10 @@ class SmallFloat {
   friend SmallFloat operator-(SmallFloat a, SmallFloat b) { return sum(a.value_, -b.value_); }
   friend SmallFloat operator*(SmallFloat a, SmallFloat b) { return SmallFloat(a.value_ * b.value_); }
   friend SmallFloat operator-(SmallFloat a) { return SmallFloat(-a.value_); }
+  friend SmallFloat operator/(SmallFloat a, SmallFloat power_of_two) {
+    return SmallFloat(a.value_ / power_of_two.value_);
+  }
+  friend SmallFloat abs(SmallFloat a) { return SmallFloat(std::abs(a.value_)); }
   SmallFloat& operator+=(SmallFloat b) { return *this = *this + b; }
   SmallFloat& operator*=(SmallFloat b) { return *this = *this * b; }
   /// *this b + c, rounded once.

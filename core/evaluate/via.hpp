@@ -92,6 +92,27 @@ requires(Converter::target == Method::info.form) struct Via {
       return std::nullopt;
   }
 
+  /// Where the coefficients are differences of control points, except for b_0, which is added last: a bound that only
+  /// multiplies by how far the control points are from b_0.
+  static constexpr bool counts_from_start() {
+    if constexpr (requires { requires Converter::of_differences; })
+      return has_bound() && Method::info.bound->constant_roundings > 0;
+    else
+      return false;
+  }
+  static constexpr double factor_from_start(int n, double u) {
+    const double conversion = Converter::info.bound->factor(n, u);
+    const double evaluation = Method::info.bound->factor(n, u);
+    return conversion + evaluation + conversion * u * (evaluation + Method::info.bound->constant_roundings);
+  }
+  static constexpr ErrorBound bound_from_start() {
+    auto from_start = *bound();
+    from_start.amplification = Amplification::spread_to_power_from_start;
+    from_start.factor = factor_from_start;
+    from_start.result_roundings = Method::info.bound->constant_roundings;
+    return from_start;
+  }
+
   static constexpr MethodInfo info{
       .id = detail::Joined<detail::IdOf<Converter>, detail::Colon, detail::IdOf<Method>>::text,
       .label = detail::Joined<detail::LabelOf<Converter>, detail::Then, detail::LabelOf<Method>>::text,

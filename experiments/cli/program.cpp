@@ -91,6 +91,7 @@ int run_program(int argc, char** argv, std::span<const external::OwnMethod> own)
   add_inputs(root, exit);
   add_judge(root, exit);
   add_curve(root, exit);
+  add_curves(root, exit);
   root.footer(std::string(exit_codes));  // commands that are added later would inherit it
   program.run(argc, argv);
   if (!std::cout.flush() || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return standard_output_failed();

@@ -15,11 +15,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <system_error>
 #include <thread>
 
@@ -94,17 +90,12 @@ void limit(decltype(RLIMIT_DATA) resource, rlim_t max) {
   setrlimit(resource, &now);
 }
 
-/// Sends this process the signal when its parent ends.
-void end_with(pid_t parent, int signal) {
-  prctl(PR_SET_PDEATHSIG, signal);
-  if (getppid() != parent) _exit(EXIT_FAILURE);  // it has ended already
-}
-
 /// What the child does before the work.
 void enter_child(const MemoryFile& in, const MemoryFile& out, const MemoryFile& errors, std::size_t max_output,
                  const Limits& limits, pid_t parent) {
   setpgid(0, 0);
-  end_with(parent, SIGKILL);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(EXIT_FAILURE);  // it has ended already
   for (int number = 1; number < NSIG; ++number) signal(number, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
@@ -122,83 +113,19 @@ void enter_child(const MemoryFile& in, const MemoryFile& out, const MemoryFile& 
   limit(RLIMIT_DATA, data_bytes() + limits.megabytes * megabyte);
 }
 
-/// The parent of a process; 0 for one that has ended.
-pid_t parent_of(const std::string& process) {
-  std::ifstream file("/proc/" + process + "/stat");
-  std::string text;
-  std::getline(file, text);
-  const auto name_end = text.rfind(')');  // the name of the program may contain blanks and brackets
-  char state = 0;
-  pid_t parent = 0;
-  if (name_end != std::string::npos) std::istringstream(text.substr(name_end + 1)) >> state >> parent;
-  return parent;
-}
-
-/// Kills the children of this process, including those that it inherited when their parents ended.
-void kill_children() {
-  std::error_code failed;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc", failed)) {
-    const auto name = entry.path().filename().string();
-    if (name.find_first_not_of("0123456789") == std::string::npos && parent_of(name) == getpid())
-      kill(static_cast<pid_t>(std::stol(name)), SIGKILL);
-  }
-}
-
-/// What the warden does: it starts the child, waits for its end or for SIGTERM, ends all that descends from the child,
-/// and exits. `report` gets the status of the child.
-[[noreturn]] void guard(const std::function<void()>& child_work, const MemoryFile& report, pid_t parent) {
-  sigset_t awaited;
-  sigfillset(&awaited);
-  sigprocmask(SIG_SETMASK, &awaited, nullptr);  // Ctrl-C is the parent's to handle
-  sigemptyset(&awaited);
-  sigaddset(&awaited, SIGCHLD);
-  sigaddset(&awaited, SIGTERM);
-  setpgid(0, 0);
-  end_with(parent, SIGTERM);
-  prctl(PR_SET_CHILD_SUBREAPER, 1);
-  const pid_t child = fork();
-  if (child == 0) {
-    child_work();
-    _exit(EXIT_SUCCESS);  // without the parent's exit handlers and buffers
-  }
-  if (child < 0) _exit(EXIT_FAILURE);
-  constexpr std::int64_t again_after =
-      10'000'000;  // nanoseconds: a process may have started others before it was killed
-  for (bool ends = false;;) {
-    int status = 0;
-    pid_t ended = 0;
-    while ((ended = waitpid(-1, &status, WNOHANG)) > 0)
-      if (ended == child) {
-        report.fill({reinterpret_cast<const char*>(&status), sizeof status});
-        ends = true;
-      }
-    if (ended < 0) _exit(EXIT_SUCCESS);  // no child is left
-    if (ends) kill_children();
-    const timespec pause{0, again_after};
-    if ((ends ? sigtimedwait(&awaited, nullptr, &pause) : sigwaitinfo(&awaited, nullptr)) == SIGTERM) ends = true;
-  }
-}
-
-/// Waits until the warden ends by itself or must end. Sets `end` in the latter case.
-int wait_for(pid_t warden, const Limits& limits, bool (*stop)(), End& end) {
-  auto deadline = Clock::now() + std::chrono::duration<double>(limits.seconds);
+/// Waits until the child has ended by itself or must be ended; it is not reaped, so that its number stays its group's.
+End wait_for(pid_t child, const Limits& limits, bool (*stop)()) {
+  const auto deadline = Clock::now() + std::chrono::duration<double>(limits.seconds);
   std::chrono::microseconds pause{100};
   constexpr std::chrono::microseconds longest{2000};
-  constexpr std::chrono::seconds to_clear_up{10};
-  bool terminated = false;
-  int status = 0;
-  while (waitpid(warden, &status, WNOHANG) == 0) {
-    const bool stopped = stop != nullptr && stop();
-    if ((stopped && !terminated) || Clock::now() >= deadline) {
-      if (!terminated) end = stopped ? End::interrupted : End::timed_out;
-      kill(warden, terminated ? SIGKILL : SIGTERM);
-      terminated = true;
-      deadline = Clock::now() + to_clear_up;
-    }
+  siginfo_t ended{};
+  while (waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0) {
+    if (stop != nullptr && stop()) return End::interrupted;
+    if (Clock::now() >= deadline) return End::timed_out;
     std::this_thread::sleep_for(pause);
     pause = std::min(2 * pause, longest);
   }
-  return status;
+  return End::exited;
 }
 
 }  // namespace
@@ -208,30 +135,23 @@ Ended run_in_child(const std::function<void()>& work, std::string_view input, st
   const MemoryFile in("bezierbench-input");
   const MemoryFile out("bezierbench-output");
   const MemoryFile errors("bezierbench-errors");
-  const MemoryFile report("bezierbench-status");
   in.fill(input);
   signal(SIGCHLD, SIG_DFL);  // where the parent of this program ignored it, no exit status would be available
   const pid_t parent = getpid();
-  const pid_t warden = fork();
-  if (warden < 0) cannot("fork");
-  if (warden == 0) {
-    const pid_t self = getpid();
-    guard(
-        [&] {
-          enter_child(in, out, errors, max_output, limits, self);
-          work();
-        },
-        report, parent);
+  const pid_t child = fork();
+  if (child < 0) cannot("fork");
+  if (child == 0) {
+    enter_child(in, out, errors, max_output, limits, parent);
+    work();
+    _exit(EXIT_SUCCESS);  // without the parent's exit handlers and buffers
   }
+  setpgid(child, child);  // as the child does: whoever is first
   Ended ended;
-  int status = wait_for(warden, limits, stop, ended.end);
+  ended.end = wait_for(child, limits, stop);
+  kill(-child, SIGKILL);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   if (ended.end == End::exited) {
-    const auto reported = report.contents(sizeof status);
-    if (reported.empty() && WIFEXITED(status)) {
-      errno = EAGAIN;
-      cannot("fork");  // in the warden
-    }
-    if (!reported.empty()) std::memcpy(&status, reported.data(), sizeof status);
     ended.end = WIFSIGNALED(status) ? End::signalled : End::exited;
     ended.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
   }

@@ -35,11 +35,9 @@ struct Ended {
 
 /// Runs `work` in a fork of this process and waits for its end; when `work` returns, the child exits with code 0. Its
 /// standard input is a file with `input`, its standard output and error are files, which together hold at most
-/// `max_output` bytes each; every other file is closed. All signals have their default actions. Between this process and
-/// the child stands a warden, another fork: all processes that descend from the child belong to it once their parents
-/// have ended, whatever their group or session, and it kills them when the child has ended. `stop` is called
-/// meanwhile; true ends the child as interrupted. May be called from any thread. Throws Failure(environment) where no
-/// process can be started.
+/// `max_output` bytes each; every other file is closed. All signals have their default actions. The child leads a
+/// process group, all of which is killed once the child has ended. `stop` is called meanwhile; true ends the child as
+/// interrupted. May be called from any thread. Throws Failure(environment) where no process can be started.
 Ended run_in_child(const std::function<void()>& work, std::string_view input, std::size_t max_output,
                    const Limits& limits, bool (*stop)());
 

@@ -37,6 +37,7 @@ void JudgedMethods<Scalar>::add(const Kernel<Scalar>& method) {
   if (!method.info->bound) return;
   bounds_.back().emplace(*method.info->bound, degree_, ScalarFacts<Scalar>::arithmetic);
   amplifications_.insert(method.info->bound->amplification);
+  if (const auto* local = method.info->bound->of_local) amplifications_.insert(local->amplification);
 }
 
 template <class Scalar>

@@ -91,7 +91,7 @@ std::vector<const MethodInfo*> chosen_companions(const suite::Study& study, std:
 }
 
 void require_form(const suite::Study& study, bool any_method) {
-  if (any_method) return;
+  if (any_method || study.slice) return;
   suite::refuse(study,
                 {study.methods.empty() ? "curve" : "methods", 0, "curve",
                  fmt::format("none of its methods takes curves in {} form; see `list methods`", name(study.form))});
@@ -105,7 +105,8 @@ template <class Scalar>
 std::vector<const Kernel<Scalar>*> chosen_kernels(const suite::Study& study, const sample::Cell& cell) {
   const Form form = study.form;
   const int dimension = cell.dimension;
-  for (std::size_t k = 0; k < study.methods.size(); ++k) {
+  // The curves of a set may have several forms; a method gets those that it takes.
+  for (std::size_t k = 0; k < study.methods.size() && !study.slice; ++k) {
     const std::string& pattern = study.methods[k];
     const MethodInfo* named = nullptr;
     bool somewhere = false;

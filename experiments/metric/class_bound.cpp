@@ -17,35 +17,48 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 double largest_norm(const CurveClass& of) { return of.range * std::sqrt(static_cast<double>(of.dimension)); }
 
 /// The parameters at which an amplification, or its quotient by p~, can be largest over the interval: with all
-/// coefficients equal each is monotone on every piece between and beyond 0 and 1, or has a single minimum there
-/// (core/bound/amplification.hpp has the formulas: powers of |t|, 1 + |t|, |t| + |1 - t|, 3|t| + |1 - t| and 1/2 + |t -
-/// 1/2|).
+/// coefficients equal each is monotone on every piece between and beyond 0, 1/2 and 1, or has a single minimum there
+/// (core/bound/amplification.hpp has the formulas: powers of |t|, 1 + |t|, |t| + |1 - t|, 3|t| + |1 - t|, 1/2 + |t -
+/// 1/2| and 1 + 2 min(|t|, |1 - t|)).
 std::vector<double> extreme_parameters(const CurveClass& of) {
   std::vector<double> all{of.t_min, of.t_max};
-  for (const double t : {0.0, 1.0})
+  for (const double t : {0.0, 0.5, 1.0})
     if (of.t_min < t && t < of.t_max) all.push_back(t);
   return all;
 }
 
-/// The largest amplification over all members of the class; it grows with each coefficient.
+/// The largest amplification over all members of the class; it grows with each coefficient. Points of the class are up
+/// to twice its norm apart.
 double largest_amplification(Amplification kind, const CurveClass& of) {
-  const std::vector<double> norms(static_cast<std::size_t>(of.degree) + 1, largest_norm(of));
+  const double farthest = anchor_of(kind) == Anchor::none ? largest_norm(of) : 2 * largest_norm(of);
+  const std::vector<double> norms(static_cast<std::size_t>(of.degree) + 1, farthest);
   double largest = 0;
   for (const double t : extreme_parameters(of)) largest = std::max(largest, amplification(kind, norms, t));
   return largest;
 }
 
-/// The largest amplification / p~ over all members of the class. A curve with a single coefficient has it, because a
-/// quotient of sums of positive terms is at most the largest quotient of two terms. Those quotients ascend or descend
-/// in the index of the coefficient, so the first or the last is the largest.
+/// The magnitudes of a curve whose only coefficient is 1, counted from the anchor of the amplification.
+std::vector<double> single_coefficient(int single, Amplification kind, int degree, double t) {
+  const bool at_start = anchor_of(kind) == Anchor::start || t + t <= 1;
+  const bool is_anchor = anchor_of(kind) != Anchor::none && single == (at_start ? 0 : degree);
+  std::vector<double> magnitudes(static_cast<std::size_t>(degree) + 1, is_anchor ? 1 : 0);
+  magnitudes[static_cast<std::size_t>(single)] = is_anchor ? 0 : 1;
+  return magnitudes;
+}
+
+/// At least the largest amplification / p~ over all members of the class. No curve has more than some curve with a single
+/// coefficient, because an amplification is at most the sum of those of the single coefficients, and a quotient of sums
+/// of positive terms is at most the largest quotient of two terms. Where magnitudes are counted from 0 those quotients
+/// ascend or descend in the index of the coefficient, so the first or the last is the largest.
 double largest_quotient(Amplification kind, const CurveClass& of) {
-  double largest = 1;  // no amplification is below p~
+  double largest = 1;
+  const int step = anchor_of(kind) == Anchor::none ? std::max(of.degree, 1) : 1;
   for (const double t : extreme_parameters(of))
-    for (const std::size_t single : {std::size_t{0}, static_cast<std::size_t>(of.degree)}) {
-      std::vector<double> norms(static_cast<std::size_t>(of.degree) + 1, 0);
-      norms[single] = 1;
-      const double amplified = amplification(kind, norms, t);
-      if (amplified > 0) largest = std::max(largest, amplified / amplification(p_tilde_of(of.form), norms, t));
+    for (int single = 0; single <= of.degree; single += step) {
+      const double amplified = amplification(kind, single_coefficient(single, kind, of.degree, t), t);
+      const double p_tilde =
+          amplification(p_tilde_of(of.form), single_coefficient(single, p_tilde_of(of.form), of.degree, t), t);
+      if (amplified > 0) largest = std::max(largest, amplified / p_tilde);
     }
   return largest;
 }
@@ -88,14 +101,16 @@ double min_p_tilde(const CurveClass& of, const reference::Arithmetic& arithmetic
 ClassBound class_bound(const ErrorBound& bound, const CurveClass& of, const reference::Arithmetic& arithmetic) {
   const reference::BoundAtDegree at_degree(bound, of.degree, arithmetic);
   if (!is_covered(at_degree, of, arithmetic)) return {infinite, infinite};
+  const ClassBound of_local = bound.of_local == nullptr ? ClassBound{} : class_bound(*bound.of_local, of, arithmetic);
   const double u = arithmetic.unit_roundoff;
   const double lost = underflow(at_degree, of, arithmetic);
   // |p| <= p~
   const double result =
       bound.result_roundings == 0 ? 0 : bound.result_roundings * largest_amplification(p_tilde_of(of.form), of);
-  return {(result + at_degree.factor * largest_amplification(bound.amplification, of)) * u + lost,
-          bound.result_roundings + at_degree.factor * largest_quotient(bound.amplification, of) +
-              lost / u / min_p_tilde(of, arithmetic)};
+  const double coordinate = (result + at_degree.factor * largest_amplification(bound.amplification, of)) * u + lost;
+  const double in_u = bound.result_roundings + at_degree.factor * largest_quotient(bound.amplification, of) +
+                      lost / u / min_p_tilde(of, arithmetic);
+  return {std::max(coordinate, of_local.coordinate), std::max(in_u, of_local.in_u)};
 }
 
 }  // namespace bezierbench::metric

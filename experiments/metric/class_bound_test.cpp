@@ -102,7 +102,9 @@ TEST(ClassBound, HoldsForEveryMember) {
   using enum Amplification;
   std::mt19937_64 random(1);
   const std::vector<std::pair<Form, std::vector<Amplification>>> stated{
-      {Form::bernstein, {p_tilde_bernstein, bernstein_to_power, bernstein_to_centered}},
+      {Form::bernstein,
+       {p_tilde_bernstein, bernstein_to_power, bernstein_to_centered, spread, spread_to_power,
+        spread_to_power_from_start}},
       {Form::power, {p_tilde_power, power_to_bernstein, forward_substitution}}};
   const std::vector<std::pair<double, double>> intervals{{0, 1},     {0.2, 0.8}, {0, 0.5}, {-10, 10},
                                                          {-1, 0.25}, {1.5, 2},   {0, 0},   {-2, -1}};

@@ -38,9 +38,23 @@ void ScaleLanes::compute(const std::set<Amplification>& kinds) {
       largest = reference::larger(largest, length);
     }
     largest.store(&largest_[first]);
+    const Pack t = pack(t_);
     const auto norm_of = [&](int i) { return pack(norms_[static_cast<std::size_t>(i)]); };
-    for (const Amplification kind : kinds_)
-      amplification(kind, degree_, norm_of, pack(t_)).store(&amplified_[static_cast<std::size_t>(kind)][first]);
+    const auto point = [&](int i) { return &coefficients_[static_cast<std::size_t>(i * dimension_)]; };
+    const auto near_start = t + t <= Pack(1);
+    for (const Amplification kind : kinds_) {
+      const auto norm_from_anchor = [&](int i) {
+        return reference::norm<Pack>(dimension_, [&](int axis) {
+          const Pack start = pack(point(0)[axis]);
+          const Pack anchor =
+              anchor_of(kind) == Anchor::start ? start : select(near_start, start, pack(point(degree_)[axis]));
+          return pack(point(i)[axis]) - anchor;
+        });
+      };
+      const Pack amplified = anchor_of(kind) == Anchor::none ? amplification(kind, degree_, norm_of, t)
+                                                             : amplification(kind, degree_, norm_from_anchor, t);
+      amplified.store(&amplified_[static_cast<std::size_t>(kind)][first]);
+    }
   }
 }
 

@@ -41,10 +41,12 @@ class ScaleLanesOf : public testing::TestWithParam<Setting> {};
 TEST_P(ScaleLanesOf, HasTheBitsOfTrialScale) {
   const auto [form, dimension, degree] = GetParam();
   const std::set<Amplification> kinds =
-      form == Form::bernstein ? std::set{Amplification::p_tilde_bernstein, Amplification::bernstein_to_power,
-                                         Amplification::bernstein_to_centered}
-                              : std::set{Amplification::p_tilde_power, Amplification::p_tilde_centered,
-                                         Amplification::power_to_bernstein, Amplification::forward_substitution};
+      form == Form::bernstein
+          ? std::set{Amplification::p_tilde_bernstein,     Amplification::bernstein_to_power,
+                     Amplification::bernstein_to_centered, Amplification::spread,
+                     Amplification::spread_to_power,       Amplification::spread_to_power_from_start}
+          : std::set{Amplification::p_tilde_power, Amplification::p_tilde_centered, Amplification::power_to_bernstein,
+                     Amplification::forward_substitution};
   std::mt19937_64 bits(7);
   ScaleLanes group;
   for (int round = 0; round < 20; ++round) {

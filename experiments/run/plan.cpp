@@ -52,6 +52,8 @@ std::optional<suite::Study> with_own_methods(suite::Study study) {
   return study;
 }
 
+std::string name_of_job(const std::string& study, const std::string& external) { return study + ", " + external; }
+
 /// The jobs of a study for external methods: of those that it names, if it names any, else of all. Throws
 /// Failure(usage) where none that it names can be asked for its inputs.
 void add_external_jobs(const RunRequest& request, const suite::Study& study, const JobContext& context, Plan& plan) {
@@ -73,13 +75,27 @@ void add_external_jobs(const RunRequest& request, const suite::Study& study, con
       continue;
     }
     plan.jobs.push_back(std::move(job));
-    plan.job_names.push_back(study.id + ", " + method.id);
+    plan.job_names.push_back(name_of_job(study.id, method.id));
   }
   if (names_some && plan.jobs.size() == before)
     suite::refuse(study, {"methods", static_cast<std::size_t>(named - study.methods.begin()), "kind",
                           fmt::format("method \"{}\" is external and not available in this study, because of its "
                                       "kind, form or scalar; remove it",
                                       *named)});
+}
+
+/// Throws Failure(usage) for a study of curve sets whose methods take none of the curves.
+void refuse_idle_studies(const Plan& plan) {
+  std::map<std::string_view, std::pair<const suite::Study*, std::size_t>> rows;
+  for (std::size_t k = 0; k < plan.studies.size(); ++k) {
+    auto& [study, count] = rows[plan.studies[k].study.id];
+    study = &plan.studies[k].study;
+    count += plan.jobs[k]->extent().rows;
+  }
+  for (const auto& [id, of_study] : rows)
+    if (of_study.first->slice && of_study.second == 0)
+      suite::refuse(*of_study.first,
+                    {"methods", 0, "curves", "none of its methods takes a curve of the sets; see `list methods`"});
 }
 
 void add(const Violation& violation, Outcome& outcome) {
@@ -154,9 +170,16 @@ Plan::Plan(const RunRequest& request, Unplannable unplannable)
     job_names.push_back(study.id);
     studies.push_back({std::move(*own), context});
   });
+  if (unplannable == Unplannable::refused) refuse_idle_studies(*this);
   // Last, so that no row of another method is elsewhere than without them.
   each_study(
       [&](const suite::Study& study, const JobContext& context) { add_external_jobs(request, study, context, *this); });
+  // Of the forms and degrees of a curve set, a method may take some.
+  std::erase_if(unasked, [&](const Unasked& one) {
+    return std::ranges::find(job_names, name_of_job(one.study, one.method)) != job_names.end();
+  });
+  const auto same = [](const Unasked& a, const Unasked& b) { return a.method == b.method && a.study == b.study; };
+  unasked.erase(std::unique(unasked.begin(), unasked.end(), same), unasked.end());
 }
 
 void tell_unasked(const RunRequest& request, const Plan& plan) {

@@ -20,6 +20,7 @@ namespace bezierbench::sample {
 struct LoadedSet {
   std::string id;      ///< in the column `curves`
   std::string sha256;  ///< of CurveSet::canonical_bytes()
+  bool is_shipped = false;
   curves::CurveSet curves;
 };
 

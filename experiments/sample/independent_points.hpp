@@ -97,7 +97,8 @@ struct Distant {
 struct Local {
   static constexpr GeneratorInfo info{
       .id = "local",
-      .coordinates = "uniform in [R - 1, R] from 128 random bits, rounded once; R, from 1 on, is the distance over the size",
+      .coordinates =
+          "uniform in [R - 1, R] from 128 random bits, rounded once; R, from 1 on, is the distance over the size",
       .t = "as continuous",
       .limits = {.smallest_range = 1, .largest_range = 0x1p52}};
 

@@ -11,13 +11,11 @@
 namespace bezierbench::suite {
 
 std::string goal_problem(const Goal& goal, std::span<const std::string> methods) {
-  for (const std::string& id : {goal.method, goal.no_slower_than})
-    if (!id.empty() && std::ranges::find(methods, id) == methods.end())
-      return fmt::format("unknown method \"{}\"{}", id, suggestion(id, methods));
   if (goal.method.empty()) return "a goal needs a method; add method = \"horner_fma\"";
-  if ((goal.share == 0) == goal.no_slower_than.empty())
-    return "a goal is a share of the peak or no_slower_than another method; give one of them";
-  if (!(goal.share >= 0) || !std::isfinite(goal.share)) return "share must be above 0; 1 is the peak";
+  if (std::ranges::find(methods, goal.method) == methods.end())
+    return fmt::format("unknown method \"{}\"{}", goal.method, suggestion(goal.method, methods));
+  if (!(goal.share > 0) || !std::isfinite(goal.share))
+    return "a goal requires a share of the peak above 0; add share = 0.6, where 1 is the peak";
   if (goal.from_degree > goal.to_degree) return "from_degree is above to_degree; no row has such a degree";
   return {};
 }

@@ -15,7 +15,6 @@ template <class Visit>
 void each_goal_key(const Visit& visit) {
   visit("method", "id of the method whose batch kernels are meant", &Goal::method);
   visit("share", "least share of the peak; 1 is the peak", &Goal::share);
-  visit("no_slower_than", "id of a method, timed by its kernel for one point", &Goal::no_slower_than);
   visit("scalar", "scalar type of the rows", &Goal::scalar);
   visit("from_degree", "lowest degree of the rows", &Goal::from_degree);
   visit("to_degree", "highest degree of the rows", &Goal::to_degree);

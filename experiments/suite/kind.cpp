@@ -68,14 +68,14 @@ constexpr std::array shared{
                            .meaning =
                                "curve sets whose curves are the inputs, instead of drawn ones: files, relative to the "
                                "suite, or ids of shipped sets; SET#GLOB takes the curves with such ids",
-                           .example = "[\"outlines.svg\"]",
+                           .example = "[\"named\"]",
                            .left_out = "none: curves are drawn",
                            .settable = false,
                            .curves = Curves::of_sets}),
     field<&Study::curves_sha256>(
         {.key = "curves_sha256",
          .meaning = "the SHA-256 that the numbers of each curve set must have; a run writes it",
-         .example = "[\"e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855\"]",
+         .example = "[\"9f86d081884c7d65...\"]",
          .left_out = "not checked",
          .settable = false,
          .curves = Curves::of_sets}),

@@ -61,12 +61,10 @@ struct Interval {
   friend auto operator<=>(const Interval&, const Interval&) = default;
 };
 
-/// A goal for a method's batch kernel: a share of the peak, or the time of another method, in every row that it applies
-/// to.
+/// A goal for a method's batch kernel, in every row that it applies to.
 struct Goal {
   std::string method = {};                  ///< id of the method
-  double share = 0;                         ///< least share of the target's peak; 0: no such goal
-  std::string no_slower_than = {};          ///< id of a method, timed by its scalar kernel; empty: no such goal
+  double share = 0;                         ///< least share of the target's peak; above 0
   ScalarKind scalar = ScalarKind::float64;  ///< scalar of the rows; degrees likewise
   int from_degree = 0;
   int to_degree = max_degree;

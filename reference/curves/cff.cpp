@@ -189,32 +189,16 @@ void Cff::read_charset(const Dict& top) {
 }
 
 std::size_t Cff::standard_glyph(double code) const {
-  // Codes of the standard encoding; their string identifiers are consecutive, from 1.
-  struct Codes {
-    int first, count;
-  };
-  static constexpr std::array<Codes, 14> encoded{{{32, 95},
-                                                  {161, 15},
-                                                  {177, 4},
-                                                  {182, 8},
-                                                  {191, 1},
-                                                  {193, 8},
-                                                  {202, 2},
-                                                  {205, 4},
-                                                  {225, 1},
-                                                  {227, 1},
-                                                  {232, 4},
-                                                  {241, 1},
-                                                  {245, 1},
-                                                  {248, 4}}};
-  int before = 1;
-  for (const auto& [first, count] : encoded) {
-    if (code >= first && code < first + count) {
-      const auto name = before + static_cast<int>(code) - first;
-      const auto found = std::ranges::find(names_, name);
+  // Ranges of codes, first and count; the string identifiers of these codes are consecutive, from 1.
+  static constexpr std::array encoded{32,  95, 161, 15, 177, 4, 182, 8, 191, 1, 193, 8, 202, 2,
+                                      205, 4,  225, 1,  227, 1, 232, 4, 241, 1, 245, 1, 248, 4};
+  int name = 1;
+  for (std::size_t k = 0; k < encoded.size(); k += 2) {
+    if (code >= encoded[k] && code < encoded[k] + encoded[k + 1]) {
+      const auto found = std::ranges::find(names_, name + static_cast<int>(code) - encoded[k]);
       if (found != names_.end()) return static_cast<std::size_t>(found - names_.begin());
     }
-    before += count;
+    name += encoded[k + 1];
   }
   throw Malformed(fmt::format("its part with the code {} of the standard encoding does not exist", code));
 }

@@ -140,6 +140,32 @@ std::vector<std::string> header_of(Records& records) {
   return header;
 }
 
+[[noreturn]] void refuse_header(const std::vector<std::string>& header, const Records& records,
+                                std::string_view instead) {
+  records.refuse(1,
+                 fmt::format("header is \"{}\"; write {}", echo(fmt::format("{}", fmt::join(header, ","))), instead));
+}
+
+/// The next record, which must have as many fields as the header.
+void take_row(Records& records, std::size_t fields) {
+  const auto counted = [](std::size_t count) { return fmt::format("{} {}", count, count == 1 ? "field" : "fields"); };
+  records.next();
+  if (records.fields().size() != fields)
+    records.refuse(records.line(),
+                   fmt::format("row has {}, the header has {}; add or remove fields, or restore the file",
+                               counted(records.fields().size()), fields));
+}
+
+/// The finite number in a field of row number `row`, from 1.
+double number_at(const Records& records, std::size_t row, std::size_t column, const std::string& name) {
+  const auto text = records.fields()[column];
+  const auto value = number::parse_number(text);
+  if (!value || !std::isfinite(*value))
+    records.refuse(records.line(),
+                   fmt::format("row {}, column {}: \"{}\" {}", row, name, echo(text), number::fault(text)));
+  return *value;
+}
+
 Columns columns_of(const std::vector<std::string>& header, const Records& records) {
   Columns columns;
   std::size_t known = 0;
@@ -162,9 +188,10 @@ Columns columns_of(const std::vector<std::string>& header, const Records& record
   columns.t = place("t");
   const bool several = columns.curve || columns.index || columns.form;
   if (columns.axes.empty() || known != header.size() || (several && !(columns.curve && columns.index)))
-    records.refuse(1, fmt::format("header is \"{}\"; write x, or x,y, or x,y,z, and w for the weights of a rational "
-                                  "curve; before these curve,index for several curves",
-                                  echo(fmt::format("{}", fmt::join(header, ",")))));
+    refuse_header(
+        header, records,
+        "x, or x,y, or x,y,z, and w for the weights of a rational curve; before these curve,index for several "
+        "curves");
   return columns;
 }
 
@@ -176,12 +203,8 @@ class Reader {
 
   Read read() {
     while (!records_.done()) {
-      records_.next();
+      take_row(records_, header_.size());
       ++row_;
-      if (records_.fields().size() != header_.size())
-        records_.refuse(records_.line(),
-                        fmt::format("row has {}, the header has {}; add or remove fields, or restore the file",
-                                    count_of_fields(records_.fields().size()), header_.size()));
       add_row();
     }
     if (row_ == 0) throw Unreadable(fmt::format("{}: no coefficients; write one per row", records_.name()));
@@ -206,10 +229,6 @@ class Reader {
     std::vector<double> parameters;
   };
 
-  static std::string count_of_fields(std::size_t count) {
-    return fmt::format("{} {}", count, count == 1 ? "field" : "fields");
-  }
-
   [[noreturn]] void refuse(const std::string& what) const { records_.refuse(records_.line(), what); }
   [[noreturn]] void refuse_repeated(std::size_t line, std::string_view id) const {
     records_.refuse(line,
@@ -221,13 +240,8 @@ class Reader {
     return !column || field(*column).empty();
   }
 
-  /// The finite number in a field of the row.
-  [[nodiscard]] double number_at(std::size_t column) const {
-    const auto value = number::parse_number(field(column));
-    if (!value || !std::isfinite(*value))
-      refuse(fmt::format("row {}, column {}: \"{}\" {}", row_, header_[column], echo(field(column)),
-                         number::fault(field(column))));
-    return *value;
+  [[nodiscard]] double number_in(std::size_t column) const {
+    return number_at(records_, row_, column, header_[column]);
   }
 
   void add_row() {
@@ -248,7 +262,7 @@ class Reader {
     if (!is_empty(columns_.t)) {
       if (curve_.parameters.size() == most_parameters)
         refuse(fmt::format("column t: more than {} parameters of one curve; leave some out", most_parameters));
-      curve_.parameters.push_back(number_at(*columns_.t));
+      curve_.parameters.push_back(number_in(*columns_.t));
     }
     const bool parameter_alone = curve_.rows > 0 && !is_empty(columns_.t) && is_empty(columns_.weight) &&
                                  std::ranges::all_of(columns_.axes, [&](auto axis) { return field(axis).empty(); });
@@ -265,13 +279,13 @@ class Reader {
     for (std::size_t k = 0; k < columns_.axes.size(); ++k) {
       const auto column = columns_.axes[k];
       if (k < curve_.dimension)
-        curve_.numbers.push_back(number_at(column));
+        curve_.numbers.push_back(number_in(column));
       else if (!field(column).empty())
         refuse(fmt::format("row {}, column {}: the rows of this curve above have none; give all or none", row_,
                            header_[column]));
     }
     if (curve_.weighted)
-      curve_.weights.push_back(number_at(*columns_.weight));
+      curve_.weights.push_back(number_in(*columns_.weight));
     else if (!is_empty(columns_.weight))
       refuse("column w: the rows of this curve above have no weight; give all or none");
   }
@@ -359,6 +373,23 @@ class Reader {
   std::vector<std::uint32_t> first_lines_;
 };
 
+/// The records of a text that can be CSV with a header.
+Records records_of(std::string_view text, const std::string& name) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  Records records(text, name);
+  const auto first = text.substr(0, text.find('\n'));
+  if (has_numbers_only(first))
+    records.refuse(1, fmt::format("header is missing, the first line is data, \"{}\"; write x, or x,y, or x,y,z above "
+                                  "it, and separate numbers by commas, without brackets or blanks",
+                                  echo(first)));
+  if (text.empty()) records.refuse(1, "file is empty; it needs a header that names the columns");
+  if (const auto at = first_unprintable(text); at != std::string_view::npos)
+    records.refuse(1 + static_cast<std::size_t>(std::ranges::count(text.substr(0, at), '\n')),
+                   fmt::format("character {}, which is not text; the file is damaged or not CSV: restore it",
+                               printable(text.substr(at, 1))));
+  return records;
+}
+
 /// `text` as a field, quoted where required.
 std::string quoted_field(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
@@ -373,22 +404,36 @@ std::string quoted_field(std::string_view text) {
 }  // namespace
 
 Read read_csv(std::string_view text, const std::string& name, Form form) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  Records records(text, name);
-  const auto first = text.substr(0, text.find('\n'));
-  if (has_numbers_only(first))
-    records.refuse(1, fmt::format("header is missing, the first line is data, \"{}\"; write x, or x,y, or x,y,z above "
-                                  "it, and separate numbers by commas, without brackets or blanks",
-                                  echo(first)));
-  if (text.empty()) records.refuse(1, "file is empty; it needs a header that names the columns");
-  if (const auto at = first_unprintable(text); at != std::string_view::npos)
-    records.refuse(1 + static_cast<std::size_t>(std::ranges::count(text.substr(0, at), '\n')),
-                   fmt::format("character {}, which is not text; the file is damaged or not CSV: restore it",
-                               printable(text.substr(at, 1))));
+  auto records = records_of(text, name);
   return Reader(records, form).read();
 }
 
-std::string to_csv(const CurveSet& set) {
+bool PointList::ends_where_it_starts() const {
+  return std::equal(coordinates.begin(), coordinates.begin() + dimension, coordinates.end() - dimension);
+}
+
+PointList read_points_csv(std::string_view text, const std::string& name) {
+  auto records = records_of(text, name);
+  const auto header = header_of(records);
+  PointList points;
+  std::vector<std::size_t> columns;
+  for (const auto axis : axes) {
+    const auto found = std::ranges::find(header, axis);
+    if (found == header.end()) break;
+    columns.push_back(static_cast<std::size_t>(found - header.begin()));
+  }
+  if (columns.empty() || columns.size() != header.size()) refuse_header(header, records, "x, or x,y, or x,y,z");
+  points.dimension = static_cast<int>(columns.size());
+  while (!records.done()) {
+    take_row(records, header.size());
+    for (const auto column : columns)
+      points.coordinates.push_back(number_at(records, points.count() + 1, column, header[column]));
+    points.lines.push_back(records.line());
+  }
+  return points;
+}
+
+std::string to_csv(const CurveSet& set, std::string (*number)(double)) {
   int dimension = 1;
   bool forms = false;
   bool weights = false;
@@ -412,15 +457,15 @@ std::string to_csv(const CurveSet& set) {
       if (forms) fmt::format_to(std::back_inserter(text), ",{}", name(curve.form));
       for (int axis = 0; axis < dimension; ++axis) {
         text += ',';
-        if (axis < curve.dimension && i < coefficients) text += number::hexadecimal(curve(axis, static_cast<int>(i)));
+        if (axis < curve.dimension && i < coefficients) text += number(curve(axis, static_cast<int>(i)));
       }
       if (weights) {
         text += ',';
-        if (i < curve.weights.size()) text += number::hexadecimal(curve.weights[i]);
+        if (i < curve.weights.size()) text += number(curve.weights[i]);
       }
       if (parameters) {
         text += ',';
-        if (i < ts.size()) text += number::hexadecimal(ts[i]);
+        if (i < ts.size()) text += number(ts[i]);
       }
       text += '\n';
     }

@@ -12,7 +12,7 @@
 namespace bezierbench::curves {
 namespace {
 
-constexpr std::size_t most_steps = 4 * most_curves;
+constexpr std::size_t most_steps = 10 * most_curves;  // a second, about
 
 bool coincide(Coordinates a, Coordinates b) { return a.x == b.x && a.y == b.y; }
 
@@ -33,10 +33,9 @@ void Outline::move_to(Coordinates to) {
 }
 
 void Outline::line_to(Coordinates to) {
-  if (coincide(last_, to))
-    ++read_->left_out["lines of zero length"];
-  else
-    add(std::array{last_, to});
+  if (!coincide(last_, to)) return add(std::array{last_, to});
+  if (lines_left_out_ == nullptr) lines_left_out_ = &read_->left_out["lines of zero length"];
+  ++*lines_left_out_;
 }
 
 void Outline::quadratic_to(Coordinates control, Coordinates to) { add(std::array{last_, control, to}); }
@@ -52,7 +51,7 @@ void Outline::close() {
 
 void Outline::spend(std::size_t steps) {
   steps_ += steps;
-  if (steps_ > most_steps) throw Malformed(fmt::format("the font has more than {} points and operators", most_steps));
+  if (steps_ > most_steps) throw Malformed(fmt::format("its glyphs take more than {} steps", most_steps));
 }
 
 void Outline::add(std::span<const Coordinates> points) {

@@ -15,8 +15,8 @@ struct Coordinates {
   double y = 0;
 };
 
-/// Draws glyphs into `read`: lines as degree 1, quadratics and cubics as degree 2 and 3, in font units. Every contour is
-/// closed, by a line where it does not end at its start. Lines of zero length are left out and counted. The id of a
+/// Draws glyphs into `read`: lines as degree 1, quadratics and cubics as degree 2 and 3, in font units. Every contour
+/// is closed, by a line where it does not end at its start. Lines of zero length are left out and counted. The id of a
 /// segment is `glyph:contour:segment`, numbered from 0. Throws Malformed beyond the limits.
 class Outline {
  public:
@@ -34,13 +34,15 @@ class Outline {
 
   [[nodiscard]] bool is_open() const { return is_open_; }
 
-  /// Counts points, components and operators. A small file can state more of them than can ever be read.
+  /// Counts points, components and the operands and operators of charstrings, of all glyphs. A small file can state
+  /// more of them than can ever be read.
   void spend(std::size_t steps);
 
  private:
   void add(std::span<const Coordinates> points);
 
   Read* read_;
+  std::size_t* lines_left_out_ = nullptr;  ///< of `read`, from the first one
   std::string glyph_;
   Coordinates start_;
   Coordinates last_;

@@ -21,17 +21,17 @@ PlanePoint operator*(double factor, const PlanePoint& p) { return {factor * p[0]
 /// What the square of half a chord may be off by: the coordinates of arcs are those of decimals.
 constexpr double rounding = 0x1p-50;
 
-/// Half of an arc, or the arc itself: from its start to its end in the plane in which the ellipse is the unit circle and the
-/// middle of the arc's chord is the origin.
+/// Half of an arc, or the arc itself: from its start to its end in the plane in which the ellipse is the unit circle
+/// and the middle of the arc's chord is the origin.
 struct Piece {
   PlanePoint control;
   double weight;
   PlanePoint end;
 };
 
-/// The pieces of the arc of the unit circle from `half` to -`half` about the middle of the chord, |half|^2 = `square` <= 1.
-/// `out` is the unit vector from there to the middle of the arc. Nothing cancels: differences such as 1 - sqrt(1 - square)
-/// are written as quotients.
+/// The pieces of the arc of the unit circle from `half` to -`half` about the middle of the chord, |half|^2 = `square`
+/// <= 1. `out` is the unit vector from there to the middle of the arc. Nothing cancels: differences such as 1 - sqrt(1
+/// - square) are written as quotients.
 std::vector<Piece> pieces_of(const PlanePoint& half, double square, const PlanePoint& out, bool large) {
   const PlanePoint none{};
   const auto back = none - half;

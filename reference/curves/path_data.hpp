@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Path data by the grammar of [SVG 2, section 9.3], as curves: lines (degree 1), quadratics, cubics, and elliptic arcs as
-// rational quadratics, each at most a quarter of its ellipse.
+// Path data by the grammar of [SVG 2, section 9.3], as curves: lines (degree 1), quadratics, cubics, and elliptic arcs
+// as rational quadratics, each at most a quarter of its ellipse.
 #pragma once
 
 #include <array>
@@ -28,7 +28,8 @@ struct Affine {
 /// cos and sin of an angle in degrees; exact at multiples of 90, elsewhere rounded from long double.
 PlanePoint direction_of(double degrees);
 
-/// Adds the segments of one path to a set, as they are drawn. Their ids are `NAME:SUBPATH:SEGMENT`, both counted from 0.
+/// Adds the segments of one path to a set, as they are drawn. Their ids are `NAME:SUBPATH:SEGMENT`, both counted from
+/// 0.
 class Path {
  public:
   /// `to` receives the curves after `map`. `file` is named in messages.
@@ -41,8 +42,9 @@ class Path {
   void cubic_to(const PlanePoint& first, const PlanePoint& second, const PlanePoint& p);
   /// A rational quadratic with the weights 1, `weight`, 1.
   void conic_to(const PlanePoint& control, double weight, const PlanePoint& p);
-  /// An elliptic arc as in [SVG 2, section 9.5.1]: a line where a radius is 0, nothing where it ends at its start, radii
-  /// that are too small are scaled up. Where the chord is a diameter to within rounding, the arc is half the ellipse.
+  /// An elliptic arc as in [SVG 2, section 9.5.1]: a line where a radius is 0, nothing where it ends at its start,
+  /// radii that are too small are scaled up. Where the chord is a diameter to within rounding, the arc is half the
+  /// ellipse.
   void arc_to(const PlanePoint& radii, double degrees, bool large, bool sweep, const PlanePoint& p);
   /// A line back to the start of the subpath; left out, and counted, where that is the current point.
   void close();
@@ -62,8 +64,8 @@ class Path {
   std::size_t segment_ = 0;
 };
 
-/// Adds the segments of path data to `path`. `offset` is where the data begin in `source`, for messages. Throws Unreadable
-/// where the data do not follow the grammar.
+/// Adds the segments of path data to `path`. `offset` is where the data begin in `source`, for messages. Throws
+/// Unreadable where the data do not follow the grammar.
 void draw(std::string_view data, const Source& source, std::size_t offset, Path& path);
 
 /// Reads a list of numbers as in the attribute `points`, in the grammar of path data. Throws likewise.

@@ -16,8 +16,8 @@ struct Source {
   std::string_view text;
   std::string name;
 
-  /// Throws Unreadable with `NAME:LINE:COLUMN: what` for the byte `offset`. Lines and columns are counted from 1, columns
-  /// in bytes.
+  /// Throws Unreadable with `NAME:LINE:COLUMN: what` for the byte `offset`. Lines and columns are counted from 1,
+  /// columns in bytes.
   [[noreturn]] void refuse(std::size_t offset, std::string_view what) const;
 };
 

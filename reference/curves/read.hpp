@@ -14,8 +14,8 @@
 
 namespace bezierbench::curves {
 
-/// A file that cannot be read as curves: what() is one line that names the file, the line and column where there is one,
-/// and what to do.
+/// A file that cannot be read as curves: what() is one line that names the file, the line and column where there is
+/// one, and what to do.
 class Unreadable : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

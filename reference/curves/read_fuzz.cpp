@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files of curves: one that can be read holds curves of finite numbers within the limits, and the set written as CSV reads
-// back to the same bits.
+// Files of curves: one that can be read holds curves of finite numbers within the limits, and the set written as CSV
+// reads back to the same bits.
 #include <algorithm>
 #include <cmath>
 

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
+
+#include "reference/curves/joined.hpp"
 
 namespace bezierbench::curves {
 namespace {
@@ -81,6 +84,24 @@ TEST(Json, ErrorsSayWhere) {
   std::string flat = "[";
   for (int k = 0; k < 100000; ++k) flat += "1,";
   EXPECT_THAT(refusal_of(flat + "1]", "c.json"), HasSubstr("too long"));
+}
+
+TEST(Joined, IdsThatClashNameTheirFile) {
+  const auto ids = [](std::initializer_list<std::pair<const char*, const char*>> texts) {
+    std::vector<NamedRead> files;
+    for (const auto& [name, text] : texts) files.push_back({name, read(text, name)});
+    const auto all = joined(files);
+    std::vector<std::string> found;
+    for (std::size_t k = 0; k < all.set.size(); ++k) found.emplace_back(all.set.id(k));
+    return found;
+  };
+  const char* const a = "curve,index,x\na,0,1\n0,0,2\n";
+  const char* const b = "curve,index,x\nb,0,1\n";
+  const char* const plain = "x\n1\n";
+  EXPECT_THAT(ids({{"f/a.csv", a}, {"b.csv", b}}), ElementsAre("a", "0", "b"));
+  EXPECT_THAT(ids({{"f/a.csv", a}, {"b.csv", b}, {"g/a.csv", a}}), ElementsAre("a:a", "a:0", "b:b", "a-2:a", "a-2:0"));
+  EXPECT_THAT(ids({{"p.csv", plain}, {"b.csv", b}}), ElementsAre("p", "b:b"));
+  EXPECT_THAT(ids({{"p.csv", plain}}), ElementsAre(""));
 }
 
 TEST(Read, LimitsAreStated) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/bound/amplification.hpp"
+#include "core/bound/locality.hpp"
 #include "reference/error/norm.hpp"
 
 namespace bezierbench::reference {
@@ -23,6 +24,7 @@ void TrialScale::begin(const CurveView<double>& curve, double t) {
   norms_.clear();
   amplified_.fill(std::nullopt);
   reach_.reset();
+  locality_.reset();
 }
 
 void TrialScale::set(const CurveView<double>& curve, double t) {
@@ -45,6 +47,13 @@ void TrialScale::take_norms() {
     norms_[static_cast<std::size_t>(i)] = length;
     largest_ = larger(largest_, length);
   }
+}
+
+std::vector<double> TrialScale::norms_from(int anchor) const {
+  std::vector<double> norms;
+  for (int i = 0; i <= curve_.degree; ++i)
+    norms.push_back(norm<double>(curve_.dimension, [&](int axis) { return curve_(axis, i) - curve_(axis, anchor); }));
+  return norms;
 }
 
 void TrialScale::weigh(const CurveView<double>& curve) {
@@ -77,7 +86,11 @@ void TrialScale::weigh_exactly(const CurveView<double>& norms) {
 
 double TrialScale::amplified(Amplification kind) {
   auto& cached = amplified_[static_cast<std::size_t>(kind)];
-  if (!cached) {
+  if (cached) return *cached;
+  if (anchor_of(kind) != Anchor::none) {
+    const bool at_start = anchor_of(kind) == Anchor::start || t_ + t_ <= 1;
+    cached = amplification(kind, norms_from(at_start ? 0 : curve_.degree), t_);
+  } else {
     if (norms_.empty()) take_norms();
     cached = amplification(kind, norms_, t_) / (form_ == Form::rational ? weights_.sum : 1);
   }
@@ -131,7 +144,8 @@ double TrialScale::rational_underflow(const BoundAtDegree& bound, const Arithmet
   return eta + lost * (numerator_bound + denominator_bound * p_tilde()) / w.sum;
 }
 
-double TrialScale::bound(const BoundAtDegree& at_degree, const Arithmetic& arithmetic, std::optional<double> length) {
+double TrialScale::bound_of_kind(const BoundAtDegree& at_degree, const Arithmetic& arithmetic,
+                                 std::optional<double> length) {
   const ErrorBound& bound = at_degree.bound;
   if (bound.unit_interval_only && (t_ < 0 || t_ > 1)) return infinite;
   if (!std::isfinite(at_degree.factor) || !stays_in_range(at_degree, arithmetic)) return infinite;
@@ -142,6 +156,17 @@ double TrialScale::bound(const BoundAtDegree& at_degree, const Arithmetic& arith
                                                    : polynomial_underflow(at_degree, arithmetic, rounding);
   if (!std::isfinite(underflow)) return infinite;
   return rounding + dimension_ * underflow;
+}
+
+double TrialScale::bound(const BoundAtDegree& at_degree, const Arithmetic& arithmetic, std::optional<double> length) {
+  const ErrorBound* const of_local = at_degree.bound.of_local;
+  if (of_local == nullptr) return bound_of_kind(at_degree, arithmetic, length);
+  if (!locality_) locality_ = locality(degree(), dimension_, [this](int axis, int i) { return curve_(axis, i); });
+  const auto kind = local_or_not(*locality_, degree(), arithmetic.unit_roundoff);
+  const double other = kind.may_be_other ? bound_of_kind(at_degree, arithmetic, length) : 0;
+  const double local =
+      kind.may_be_local ? bound_of_kind(BoundAtDegree(*of_local, degree(), arithmetic), arithmetic, length) : 0;
+  return std::max(local, other);
 }
 
 std::optional<BoundCheck> TrialScale::check(double error, const BoundAtDegree& at_degree, const Arithmetic& arithmetic,

@@ -60,7 +60,7 @@ using Amplifications = std::array<std::optional<double>, amplification_count>;
 /// Scales of one (curve, t); amplifications are computed on first use. Reusable.
 class TrialScale {
  public:
-  /// Sets the trial. Must be called before any other member.
+  /// Sets the trial. Must be called before any other member. The curve, if not rational, must live until the next call.
   void set(const CurveView<double>& curve, double t);
   /// The same with the largest norm of a coefficient and some amplifications that are known, as those of a group of
   /// trials are. The curve, not rational, must live until the next call.
@@ -98,11 +98,15 @@ class TrialScale {
   [[nodiscard]] int degree() const { return curve_.degree; }
   void begin(const CurveView<double>& curve, double t);
   void take_norms();
+  /// |b_i - b_anchor|, of a curve that is not rational.
+  [[nodiscard]] std::vector<double> norms_from(int anchor) const;
   void weigh(const CurveView<double>& curve);
   /// Sums in big integers, for weights of both signs and magnitudes that leave the range of double; `norms` holds |b_i|
   /// and w_i.
   void weigh_exactly(const CurveView<double>& norms);
   double amplified(Amplification kind);
+  /// That of a method whose bound is the same for all curves.
+  double bound_of_kind(const BoundAtDegree& bound, const Arithmetic& arithmetic, std::optional<double> length);
   double reach();
   /// False where a result on the way to the point may overflow.
   [[nodiscard]] bool stays_in_range(const BoundAtDegree& bound, const Arithmetic& arithmetic);
@@ -119,7 +123,8 @@ class TrialScale {
   Weights weights_;
   ExactCurve exact_;
   Amplifications amplified_;
-  std::optional<double> reach_;  ///< (|t| + |1 - t|)^n
+  std::optional<double> reach_;     ///< (|t| + |1 - t|)^n
+  std::optional<double> locality_;  ///< core/bound/locality.hpp
 };
 
 }  // namespace bezierbench::reference

@@ -212,6 +212,23 @@ TEST(Amplification, EqualsTheMatricesItStandsFor) {
   }
 }
 
+/// By hand, for the quadratic 100, 101, 103: the differences are 0, 1, 3 from the start and 3, 2, 0 from the end.
+TEST(Amplification, OfTheSpreadCountsFromTheNearerEnd) {
+  const std::vector<double> line{100, 101, 103};
+  const auto amplified = [&](Amplification kind, double t) {
+    ErrorBound bound{"", kind, [](int, double) { return 1.0; }, [](int) { return 0.0; }};
+    TrialScale scale;
+    scale.set({Form::bernstein, 1, 2, line}, t);
+    return scale.bound(bound, double_arithmetic) * 0x1p53;
+  };
+  EXPECT_EQ(amplified(Amplification::spread, 0.25), 1 * 2 * 0.25 * 0.75 + 3 * 0.0625);
+  EXPECT_EQ(amplified(Amplification::spread, 0.5), 1 * 0.5 + 3 * 0.25);
+  EXPECT_EQ(amplified(Amplification::spread, 0.75), 2 * 2 * 0.25 * 0.75 + 3 * 0.0625);
+  EXPECT_EQ(amplified(Amplification::spread_to_power, 0.25), 1 * 2 * 0.25 * 1.25 + 3 * 0.0625);
+  EXPECT_EQ(amplified(Amplification::spread_to_power, 0.75), 2 * 2 * 0.25 * 1.25 + 3 * 0.0625);
+  EXPECT_EQ(amplified(Amplification::spread_to_power_from_start, 0.75), 1 * 2 * 0.75 * 1.75 + 3 * 0.5625);
+}
+
 /// (1/2 + z)^n sum c_i C(n,i) against C(n,j) M^(n-j) (1 + E)^j c_0 built step by step, and against the magnitudes of
 /// the true coefficients about 1/2, which it bounds.
 TEST(Amplification, OfTheCentredFormIsThatOfDifferencesAndMidpoints) {

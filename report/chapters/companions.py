@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Companion problems, from derivatives to B-splines: findings, figures, the tables of each study, what the words mean, times."""
 
+from .. import inputs
 from ..bundle import Missing
 from ..document import Heading, Text
 from ..error_tables import error_tables, swept, swept_with, tolerance_tables
@@ -101,8 +102,9 @@ def _foot_points(bundle, study):
     lines = [(label, over(column, combine, write), {}) for label, column, combine, write in (
         ("missed", "missed", sum, large), ("largest error, units", "max_error_eps", max, general),
         ("largest error of t", "max_t_error", max, scientific), ("gave up", "non_converged", sum, large))]
-    yield by_axis(rows, "placement", study, f"Foot points, {_degrees(rows)} ({_trials(rows)} trials per method, by placement of the point)",
-                  "最近点", lines, values=distinct(rows, "placement"), row_head="quantity")
+    for where, own in inputs.by_set(rows):
+        yield by_axis(own, "placement", study, f"Foot points, {_degrees(own)}{where} ({_trials(own)} trials per method, by placement of the point)",
+                      "最近点", lines, values=distinct(own, "placement"), row_head="quantity")
 
 
 companion(
@@ -167,11 +169,12 @@ def _halves(bundle, study):
     """Errors, then what must hold to the last bit, by degree, over the ranges, parameters and inputs of the study."""
     rows = bundle["subdivision.csv"].some(study=study)
     yield from error_tables(study, rows, *swept(rows))
-    yield by_axis(rows, "degree", f"{study}-kept", "Trials in which halves do not fit together "
-                  f"({large(sum(r['trials'] for r in rows))} trials of all methods)", "两段不相接的次数",
-                  [(text, _count(column), {}) for text, column in (
-                      ("junctions apart", "junctions_apart"), ("ends moved", "ends_moved"), ("points off", "points_off"),
-                      ("bound violations", "bound_violations"), ("not finite", "non_finite"))], row_head="trials")
+    for where, own in inputs.by_set(rows):
+        yield by_axis(own, "degree", f"{study}-kept", f"Trials in which halves do not fit together{where} "
+                      f"({large(sum(r['trials'] for r in own))} trials of all methods)", "两段不相接的次数",
+                      [(text, _count(column), {}) for text, column in (
+                          ("junctions apart", "junctions_apart"), ("ends moved", "ends_moved"), ("points off", "points_off"),
+                          ("bound violations", "bound_violations"), ("not finite", "non_finite"))], row_head="trials")
 
 
 companion(

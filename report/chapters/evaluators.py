@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Evaluators and conversions by suite: degrees, limits, multiple roots, conversions, worst inputs, rational curves."""
 
+from .. import inputs
 from ..bundle import Missing
 from ..document import Cell, Group, Heading, Table, Text
 from ..error_tables import error_tables, search_table, search_tables, swept
@@ -114,9 +115,10 @@ def _coefficients(bundle):
 def _coefficient_table(bundle, study):
     rows = bundle["conversion.csv"].some(study=study)
     title = NORMS[rows[0]["form"]][0] if rows[0]["form"] in NORMS else study
-    lines = [(f"{name}, {g}", one(column, scientific), {"generator": g}) for g in distinct(rows, "generator")
-             for name, column in (("mean", "mean_error"), ("largest", "max_error"))]
-    yield by_axis(rows, "degree", study, f"{title}: error of the coefficients", "转换后系数的误差", lines, method="conversion", row_head="inputs")
+    for where, own in inputs.by_set(rows):
+        lines = [(f"{name}, {inputs.PLACED.get(g, g)}", one(column, scientific), {"generator": g}) for g in distinct(own, "generator")
+                 for name, column in (("mean", "mean_error"), ("largest", "max_error"))]
+        yield by_axis(own, "degree", study, f"{title}: error of the coefficients{where}", "转换后系数的误差", lines, method="conversion", row_head="inputs")
 
 
 def _parts(bundle):

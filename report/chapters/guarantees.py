@@ -97,9 +97,10 @@ def _at_every_float(bundle, study):
         return [Cell("not finite", "", "outside") if error is None else Cell(general(error, 6), row.text("max_error_ulp")),
                 Cell(f"{float.fromhex(row.text('worst_t')):.9g}", row.text("worst_t")),
                 *(Cell(large(row[column]), row.text(column)) for column in COUNTS)]
-    for number, rows in enumerate(grouped(bundle["exhaustive.csv"].some(study=study), "interval").values(), 1):
+    for number, rows in enumerate(grouped(bundle["exhaustive.csv"].some(study=study), "interval", "curves").values(), 1):
         shown = f"[{float(rows[0].text('t_min')):.9g}, {float(rows[0].text('t_max')):.9g}]"
-        yield Table(id=f"{study}-{number}", caption=f"The largest error at the {large(rows[0]['points'])} floats t of {shown}, and the numbers of "
+        whose = f", curves of the set {rows[0]['curves']}" if rows[0]["curves"] else ""
+        yield Table(id=f"{study}-{number}", caption=f"The largest error at the {large(rows[0]['points'])} floats t of {shown}{whose}, and the numbers of "
                     "misrounded points, of steps that are not monotone and of points outside the hull",
                     caption_zh=f"区间 {shown} 内全部单精度参数处的最大误差（ulp）及舍入错误、非单调、越界的次数",
                     groups=tuple(Group(f"`{curve}`, degree {own[0]['degree']:g}", curve, tuple((f"`{r['method']}`", cells(r)) for r in own))

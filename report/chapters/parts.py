@@ -5,11 +5,12 @@ import functools
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from .. import inputs
 from ..bundle import Missing
 from ..document import Heading, Text
 from ..figures import drawn
 from ..time_tables import reading_times, time_tables, times
-from ..wording import general, interval, large, shortest
+from ..wording import general, large, shortest
 
 COMPANION_PEERS = "companion_peers"  # studies of several problems, each in the chapter of its own
 
@@ -108,5 +109,5 @@ def replay(bundle, suite):
     worst = max(kept, key=lambda r: r["error_u"] or 0)
     return [Text(f"The trial behind each largest error is kept in `worst.csv`, with its inputs to the last bit ({large(len(kept))} here). "
                  f"`bezierbench replay BUNDLE {worst['worst_id']}` recomputes the largest of them, {general(worst['error_u'])} u p~ by "
-                 f"`{worst['method']}` (degree {shortest(worst['degree'])}, `{worst['generator']}`, t in {interval(*worst['interval'])}), step by "
-                 "step against the exact value.")]
+                 f"`{worst['method']}` (degree {shortest(worst['degree'])}, {inputs.words(worst)}), step by step "
+                 "against the exact value.")]

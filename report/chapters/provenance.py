@@ -4,7 +4,7 @@
 import json
 import math
 
-from .. import schema
+from .. import inputs, schema
 from ..bundle import Missing
 from ..document import Cell, Definitions, Group, Table, Text
 from ..methods import form
@@ -100,14 +100,15 @@ def audit(bundle, _findings):
     worst = max(rows, key=lambda r: r.number("max_axis_error_ulp"))
     yield Text(f"The tier `{worst['tier']}` is compared with the exact value on inputs of the suite. Its largest error is "
                f"{general(worst['max_axis_error_ulp'])} ulp of double on an axis (study {worst['study']}, degree {worst.text('degree')}, "
-               f"generator `{worst['generator']}`)"
+               f"{inputs.words(worst)})"
                + (": more than half an ulp, so it cannot serve as the truth without the check against the exact value."
                   if worst["max_axis_error_ulp"] > 0.5 else "."))
     columns = {"study": str, "tier": str, "degree": shortest, "coordinate_range": shortest, "t_min": shortest, "t_max": shortest, "generator": str,
                "trials": large, "mean_axis_error_ulp": general, "max_axis_error_ulp": general}
     yield listed("audit-tiers", "Error of the tier against the exact value, in ulp of double", "扩展精度层相对精确值的误差（双精度 ulp）",
                  ("study", "tier", "degree", "R", "t from", "t to", "inputs", "trials", "mean error, ulp", "largest error, ulp"),
-                 [(r["study"], *(Cell(write(r[c]), r.text(c)) for c, write in list(columns.items())[1:])) for r in rows])
+                 [(r["study"], *(Cell(inputs.words(r) if r["curves"] and c == "generator" else write(r[c]), r.text(c))
+                                     for c, write in list(columns.items())[1:])) for r in rows])
 
 
 # heading and what it shows of the texts of a row of methods.csv; docs/methods.md has a table of the same columns, made by scripts/readme.py
@@ -162,7 +163,7 @@ def how_measured(bundle, _findings):
 
 def used_generators(bundle):
     """Their ids, in order of first appearance."""
-    return list(filter(None, dict.fromkeys(g for table in bundle.tables.values() if "generator" in table.columns for g in table.distinct("generator"))))
+    return list(filter(None, dict.fromkeys(g for table in bundle.tables.values() if "generator" in table.columns for g in table.distinct("generator", curves=None))))
 
 
 def _columns(bundle):

@@ -16,20 +16,25 @@ KNOWN = frozenset({one.suite for one in ROSTER if one.suite} | {"speed", "compan
 OF_ANY_SUITE = ("timing", "roofline")  # kinds whose chapter shows the studies of all known suites
 
 
+def _known(study):
+    """Whether a study may have a chapter of its suite: these are about drawn curves."""
+    return study.suite in KNOWN and not study.on_sets
+
+
 def known_part(bundle):
-    """The bundle without the studies of a user's own suites."""
-    return bundle.only({one.id for one in bundle.studies.values() if one.suite in KNOWN})
+    """The bundle without the studies of a user's own suites, and of a user's own curves."""
+    return bundle.only({one.id for one in bundle.studies.values() if _known(one)})
 
 
 def _has_chapter(study):
-    return study.suite in KNOWN and (study.kind in OF_ANY_SUITE or study.suite == COMPANION_PEERS or any(one.suite == study.suite for one in ROSTER))
+    return _known(study) and (study.kind in OF_ANY_SUITE or study.suite == COMPANION_PEERS or any(one.suite == study.suite for one in ROSTER))
 
 
 def _of_suites(bundle, own):
     """Chapters of the studies that no other chapter shows, by suite: a user's own, or the remaining ones of known suites."""
     suites = {}
     for study in map(bundle.studies.get, bundle.studied()):
-        if (study.suite not in KNOWN) == own and not _has_chapter(study):
+        if _known(study) != own and not _has_chapter(study):
             suites.setdefault(study.suite, []).append(study)
     for suite, members in suites.items():
         title = bundle.suites.get(suite, suite) if suite else UNNAMED
@@ -61,7 +66,7 @@ def _of_any_kind(bundle, study):
 def _concerns(one, bundle):
     """Whether a bundle has studies of the suite or kind of a chapter."""
     return any(one.suite and study.suite == one.suite or one.kind and study.kind == one.kind
-               for study in bundle.studies.values() if study.suite in KNOWN)
+               for study in bundle.studies.values() if _known(study))
 
 
 def build_all(bundle, findings):

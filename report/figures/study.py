@@ -12,21 +12,22 @@ from .canvas import figure, finish, panels
 from .lines import degree_axis, draw_methods, draw_paths, looks, path_colours, point_of, positive
 
 APART = ("form", "scalar", "mode", "target")  # a panel for each value
-BESIDE = ("degree", "dimension", "order", "coordinate_range", "interval", "generator", "tolerance", "points", "data", "placement",
+BESIDE = ("degree", "dimension", "order", "coordinate_range", "interval", "curves", "generator", "tolerance", "points", "data", "placement",
           "knots", "curve_id")
 MOST = 20  # lines with a look of their own
 FAR, FARTHEST = 1e3, 1e5  # times the best, in the largest value of a line
 MOST_TICKS = 12  # places that are named
 WIDTH = 28  # characters that fit the height of a panel
-NARROW = ("interval", "generator", "placement", "data", "knots", "curve_id")  # axes whose values are places side by side
+NARROW = ("interval", "curves", "generator", "placement", "data", "knots", "curve_id")  # axes whose values are places side by side
 LONG = 10  # characters from which the names of places are written aslant, each of them
 WORDS = {"placement": "placement of the point", "data": "data", "knots": "kind of knots", "generator": "inputs",
          "dimension": "axes of a point", "curve_id": "curve", "tolerance": "tolerance", "points": "points", **AXIS}
 
 
 def _axis(kind, rows):
-    """The first axis that the rows vary, of the kind or else of all; the last of the kind where they vary none."""
-    axes = schema.across(kind)
+    """The sets of curves where there are several; else the first axis that the rows vary, of the kind or else of all; the last of the kind
+    where they vary none."""
+    axes = ("curves", *schema.across(kind))
     return next((a for a in (*axes, *BESIDE) if len(distinct(rows, a)) > 1), axes[-1])
 
 
@@ -44,7 +45,8 @@ def _parts(rows):
 
 def _merged(rows, axis):
     """What else varies, of which each point shows the largest value."""
-    return [one.replace("_", " ") for one in BESIDE if one != axis and len(distinct(rows, one)) > 1]
+    names = {"generator": "placement of the curves"} if rows[0]["curves"] else {}
+    return [names.get(one, one.replace("_", " ")) for one in BESIDE if one != axis and len(distinct(rows, one)) > 1]
 
 
 def _lines(rows, where, axis, column, method):
@@ -101,7 +103,7 @@ def study_lines(bundle, study):
             draw_paths(ax, lines, colours)
         ax.set_yscale("log")
         if side_by_side:
-            aslant = axis == "curve_id" and max(map(len, values)) > LONG
+            aslant = axis in ("curves", "curve_id") and max(map(len, values)) > LONG
             named = values if aslant else values[::-(-len(values) // MOST_TICKS)]
             ax.set_xticks([where[v] for v in named], [axis_label(v, axis) for v in named],
                           **({"fontsize": 7, "rotation": 40, "ha": "right"} if aslant else {"fontsize": 8}))

@@ -15,14 +15,14 @@ def _found(find, bundle):
 
 def find_all(bundle):
     """(findings, [(name, what is missing in the bundle)]); the second list has the findings that cannot be decided."""
-    found, undecided = [], []
+    found, undecided, drawn = [], [], bundle.drawn()
     for find, suite in ROSTER:
-        if suite and not bundle.has_suite(suite):
+        if suite and not drawn.has_suite(suite):
             continue
         name = find.__name__
         try:
             with decided_by(bundle, f"the finding '{name.replace('_', ' ')}'"):
-                found.append(_found(find, bundle))
+                found.append(_found(find, drawn if suite else bundle))
         except Missing as lack:
             if suite:  # one of any bundle is left out in silence
                 undecided.append((name, str(lack)))

@@ -56,16 +56,12 @@ def roofline(bundle):
 
 def _margin(row):
     """The factor by which a row is better than its goal; 1 just reaches it."""
-    if row["goal_share"] is not None:
-        return row.number("share_of_peak") / row.number("goal_share")
-    return row.number("goal_ns") / row.number("median_ns")
+    return row.number("share_of_peak") / row.number("goal_share")
 
 
 def _sentence(row):
-    where = f"`{row['method']}` on {row['target']}, at its worst (degree {row.number('degree'):g}, {row['scalar']})"
-    if row["goal_share"] is not None:
-        return f"{where}: {percent(row['share_of_peak'])} of the peak; the goal is {percent(row['goal_share'])}."
-    return f"{where}: {general(row['median_ns'])} ns; the goal is at most {general(row['goal_ns'])} ns."
+    return (f"`{row['method']}` on {row['target']}, at its worst (degree {row.number('degree'):g}, {row['scalar']}): "
+            f"{percent(row['share_of_peak'])} of the peak; the goal is {percent(row['goal_share'])}.")
 
 
 METHOD = "horner_bernstein_fma"
@@ -77,7 +73,7 @@ def roofline_subnormal(bundle):
     """Holds where the same work takes FEWEST times as long over the whole of [0, 1] as in the middle of it."""
     rows = bundle["roofline.csv"].select(method=METHOD, scalar="float", study=("roofline-bezier", "roofline-middle"))
     pairs = [(whole, middle) for whole in rows if whole["study"] == "roofline-bezier" for middle in rows if middle["study"] == "roofline-middle"
-             and all(whole[column] == middle[column] for column in ("degree", "dimension", "target", "mode"))]
+             and all(whole[column] == middle[column] for column in ("degree", "dimension", "target"))]
     if not pairs:
         raise Missing(f"no row of `{METHOD}` in float is in both `roofline-bezier` and `roofline-middle`")
     whole, middle = max(pairs, key=lambda pair: pair[0].number("median_ns") / pair[1].number("median_ns"))

@@ -11,6 +11,7 @@ threads at once; the library runs without the interpreter's lock.
 
 from ._library import Error
 from .bundles import Bundle, numbers, read
+from .curve_files import FileCurve, curves
 from .files import BundleError
 from .listing import Method, methods, version
 from .points import Bounds, Errors, Halves, Prepared, bound, derivative, error, evaluate, exact, exact_fractions, grid, split
@@ -31,7 +32,7 @@ from .problems import (
     project_error,
 )
 
-__all__ = ["Bounds", "Bundle", "BundleError", "Error", "Errors", "ExactFoot", "Fit", "Foot", "Halves", "Length", "Method",
-           "Parameter", "Prepared", "arc_length", "arc_length_error", "at_length", "bound", "derivative", "error", "evaluate", "exact",
+__all__ = ["Bounds", "Bundle", "BundleError", "Error", "Errors", "ExactFoot", "FileCurve", "Fit", "Foot", "Halves", "Length", "Method",
+           "Parameter", "Prepared", "arc_length", "arc_length_error", "at_length", "bound", "curves", "derivative", "error", "evaluate", "exact",
            "exact_arc_length", "exact_fractions", "exact_project", "fit", "grid", "interpolate", "methods", "numbers", "project",
            "project_error", "read", "split", "version"]

@@ -89,6 +89,12 @@ _SIGNATURES: dict[str, tuple[type | None, list[type]]] = {
     "bb_fitted_max_error": (c_double, [c_void_p]),
     "bb_fitted_exact_error": (c_int, [c_void_p, _DOUBLE]),
     "bb_fitted_free": (None, [c_void_p]),
+    "bb_curves_read": (c_int, [c_char_p, c_char_p, c_size_t, POINTER(c_void_p)]),
+    "bb_curves_count": (c_size_t, [c_void_p]),
+    "bb_curves_at": (c_int, [c_void_p, c_size_t, _CURVE]),
+    "bb_curves_begins_path": (c_int, [c_void_p, c_size_t, POINTER(c_int)]),
+    "bb_curves_id": (c_int, [c_void_p, c_size_t, c_char_p, c_size_t, POINTER(c_size_t)]),
+    "bb_curves_free": (None, [c_void_p]),
 }
 
 

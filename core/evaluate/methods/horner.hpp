@@ -18,7 +18,8 @@ struct Horner : TakenAsGiven<Form::power> {
                                                        .amplification = Amplification::p_tilde_power,
                                                        .factor = [](int n, double u) { return gamma_over_u(2 * n, u); },
                                                        .underflow = [](int n) { return 1.0 * n; },
-                                                       .growth = [](int n) { return n + 1.0; }},
+                                                       .growth = [](int n) { return n + 1.0; },
+                                                       .constant_roundings = 1},
                                    .flops = "2dn",
                                    .citation = "[Higham 2002], section 5.1"};
 

@@ -39,6 +39,9 @@ struct HornerBernsteinFma : SameForEveryAxis {
                                          Guarantee{Property::total}};
 
   template <class Scalar, int Dimension, int Degree>
+  using Prepared = HornerBernstein::Prepared<Scalar, Dimension, Degree>;
+
+  template <class Scalar, int Dimension, int Degree>
   static auto prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
     return HornerBernstein::prepare(curve);
   }
@@ -46,15 +49,20 @@ struct HornerBernsteinFma : SameForEveryAxis {
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const HornerBernstein::Prepared<Scalar, Dimension, Degree>& prepared,
                                            Scalar t) {
-    const int n = prepared.scaled.degree();
+    return nested<Scalar, Dimension>(prepared.scaled, t);
+  }
+
+  /// The nested multiplication of C(n,i) b_i, in whatever holds them.
+  template <class Scalar, int Dimension, class Coefficients>
+  static Point<Scalar, Dimension> nested(const Coefficients& scaled, const Scalar& t) {
+    const int n = scaled.degree();
     const Scalar s = Scalar(1) - t;
     Point<Scalar, Dimension> p;
-    for (int axis = 0; axis < Dimension; ++axis) p[axis] = prepared.scaled(axis, 0);
+    for (int axis = 0; axis < Dimension; ++axis) p[axis] = scaled(axis, 0);
     Scalar t_power = Scalar(1);
     for (int i = 1; i <= n; ++i) {
       t_power *= t;
-      for (int axis = 0; axis < Dimension; ++axis)
-        p[axis] = fused<Scalar>(p[axis], s, prepared.scaled(axis, i) * t_power);
+      for (int axis = 0; axis < Dimension; ++axis) p[axis] = fused<Scalar>(p[axis], s, scaled(axis, i) * t_power);
     }
     return p;
   }

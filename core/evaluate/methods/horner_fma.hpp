@@ -19,7 +19,8 @@ struct HornerFma : TakenAsGiven<Form::power> {
                                                        .amplification = Amplification::p_tilde_power,
                                                        .factor = [](int n, double u) { return gamma_over_u(n, u); },
                                                        .underflow = [](int n) { return 1.0 * n; },
-                                                       .growth = [](int n) { return n + 1.0; }},
+                                                       .growth = [](int n) { return n + 1.0; },
+                                                       .constant_roundings = 1},
                                    .flops = "dn fma",
                                    .citation = "[Higham 2002], section 5.1, with fused steps"};
 

@@ -27,4 +27,21 @@ Curve<Form::bernstein, Scalar, Dimension, Degree> reversed_unless(
   return backwards;
 }
 
+/// The curve with its control points in reverse order.
+template <class Scalar, int Dimension, int Degree>
+Curve<Form::bernstein, Scalar, Dimension, Degree> reversed(
+    const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+  Curve<Form::bernstein, Scalar, Dimension, Degree> backwards(curve.degree());
+  for (int i = 0; i <= curve.degree(); ++i)
+    for (int axis = 0; axis < Dimension; ++axis) backwards(axis, i) = curve(axis, curve.degree() - i);
+  return backwards;
+}
+
+/// Of two curves of the same degree the first, or the second.
+template <Form F, class Scalar, int Dimension, int Degree>
+const Curve<F, Scalar, Dimension, Degree>& chosen(bool is_first, const Curve<F, Scalar, Dimension, Degree>& first,
+                                                  const Curve<F, Scalar, Dimension, Degree>& second) {
+  return is_first ? first : second;
+}
+
 }  // namespace bezierbench

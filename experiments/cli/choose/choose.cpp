@@ -97,7 +97,8 @@ std::string class_words(const DrawnClass& of) {
 /// The timing study and how its curves were drawn: `speed-bezier: coordinates in [-1, 1], t in [0, 1], continuous`.
 std::string timed_curves(const JudgedRace& race) {
   auto text = fmt::format("{}: {}", race.group.study, class_words(race.of));
-  return race.group.drawn.empty() ? text : fmt::format("{}, {}", text, race.group.drawn.back());
+  constexpr std::size_t generator = 3;
+  return generator < race.group.drawn.size() ? fmt::format("{}, {}", text, race.group.drawn[generator]) : text;
 }
 
 /// The value to four digits, for people.
@@ -310,7 +311,7 @@ void read_numbers(Wish& wish) {
                     fmt::format("--degree {}: must be a whole number from 0 to {}", *wish.degree_text, max_degree));
     wish.degree = static_cast<int>(*degree);
   }
-  if (wish.tolerance_text.empty()) return;  // no bundle is asked then
+  if (wish.tolerance_text.empty()) return;  // only with --curves
   const auto tolerance = number::parse_number(wish.tolerance_text);
   if (!tolerance || !(*tolerance >= 0) || !std::isfinite(*tolerance))
     throw Failure(Exit::usage, fmt::format("--tolerance {}: is not a number from 0 on; give the largest error that "

@@ -42,9 +42,9 @@ struct Unit {
   const char* bound;  ///< null: no column has the bound in this unit
 };
 constexpr Unit error_units[]{{"u", "u p~", "max_error_u", "bound_u"},
-                       {"ulp", "ulp", "max_error_ulp", nullptr},
-                       {"coordinate", "coordinate units", "max_error", "max_bound"},
-                       {"size", "of the size", "max_error_size", nullptr}};
+                             {"ulp", "ulp", "max_error_ulp", nullptr},
+                             {"coordinate", "coordinate units", "max_error", "max_bound"},
+                             {"size", "of the size", "max_error_size", nullptr}};
 
 struct RankedMethod {
   std::string method;
@@ -155,8 +155,8 @@ class Answers {
     Times best;
     for (const auto& row : tables::rows_of(timing_)) {
       if (row.text("form") != name(ranking.form) || row.text("scalar") != wish.scalar ||
-          row.text("mode") != wish.mode || row.number("dimension") != ranking.dimension ||
-          row.number("degree") != ranking.degree)
+          row.text("mode") != wish.mode || row.optional_number("dimension") != ranking.dimension ||
+          row.optional_number("degree") != ranking.degree)
         continue;
       auto& times = by_study[row.text("study")];
       times.emplace(row.text("method"), interval_of(row));
@@ -272,9 +272,9 @@ std::vector<suite::Study> slices_of(const CurvesWish& wish) {
   auto& study = all.studies.emplace_back();
   study.id = "choose";
   study.kind = &studies::accuracy_kind.asks;
-  if (wish.degree) study.degree = {*wish.degree};
   std::vector<suite::Suite> suites{all};
   take_curves(suites, wish.files);
+  suites.front().studies.front().places.keys.erase("curve");  // all forms
   if (wish.degree) suites.front().studies.front().degree = {*wish.degree};
   load_curves(suites);
   auto slices = sample::studies_of(suites.front().studies.front());

@@ -24,5 +24,6 @@ void add_doctor(Command program, Exit& exit);
 void add_inputs(Command program, Exit& exit);
 void add_judge(Command program, Exit& exit);
 void add_curve(Command program, Exit& exit);
+void add_curves(Command program, Exit& exit);
 
 }  // namespace bezierbench::cli

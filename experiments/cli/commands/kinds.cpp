@@ -65,7 +65,8 @@ std::string example_of(const Kind& kind, const Field& field) {
 }
 
 std::string default_of(const Kind& kind, const Field& field) {
-  if (suite::is_required(kind, field)) return "required";
+  if (suite::is_required(kind, field))
+    return field.key == "degree" && kind.inputs.sets != suite::SetUse::none ? "required for drawn curves" : "required";
   const auto value = suite::to_text(field, default_study(kind));
   return "default " + (value.empty() ? std::string(field.left_out) : value);
 }
@@ -138,10 +139,7 @@ Json value_schema(bool /*type*/) { return {{"type", "boolean"}}; }
 Json value_schema(suite::ScalarKind /*type*/) { return word_schema<suite::ScalarKind>(); }
 
 Json goal_schema() {
-  const auto with = [](const char* key) { return Json{{"required", Json::array({key})}}; };
-  Json schema = with("method");
-  schema.update({{"type", "object"}, {"oneOf", Json::array({with("share"), with("no_slower_than")})}});
-  schema["additionalProperties"] = false;
+  Json schema{{"type", "object"}, {"required", Json::array({"method", "share"})}, {"additionalProperties", false}};
   suite::each_goal_key([&](const char* key, const char* meaning, auto member) {
     schema["properties"][key] = value_schema(suite::Goal().*member);
     schema["properties"][key]["description"] = meaning;

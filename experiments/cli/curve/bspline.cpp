@@ -18,10 +18,11 @@ struct BsplineOptions {
   std::string knots;
   std::vector<std::string> t;
   std::vector<std::string> methods;
+  bool control_points = false;
 };
 
 struct BsplineCurve {
-  PointFile points;
+  PointList points;
   std::vector<double> knots;  ///< degree + 1 more than points, ascending
 
   [[nodiscard]] std::size_t degree() const { return knots.size() - points.count() - 1; }
@@ -66,16 +67,21 @@ std::size_t span_at(const BsplineCurve& curve, double t) {
   return static_cast<std::size_t>(next - curve.knots.begin()) - 1;
 }
 
+/// The span that begins with knot number `first`.
+BsplineSpanView span_view_at(const BsplineCurve& curve, std::size_t first) {
+  const std::size_t n = curve.degree();
+  const auto d = static_cast<std::size_t>(curve.points.dimension);
+  return {curve.points.dimension, static_cast<int>(n), std::span(curve.knots).subspan(first - n + 1, 2 * n),
+          std::span(curve.points.coordinates).subspan((first - n) * d, (n + 1) * d)};
+}
+
 BsplineTarget target_of(const BsplineCurve& curve, double t) {
   if (t < curve.begin() || t > curve.end())
     throw Failure(Exit::usage, fmt::format("--t {}: the curve is defined from {} to {}", number::decimal(t),
                                            number::decimal(curve.begin()), number::decimal(curve.end())));
-  const std::size_t n = curve.degree();
-  const std::size_t first = span_at(curve, t);
-  const auto d = static_cast<std::size_t>(curve.points.dimension);
-  const auto knots = std::span(curve.knots).subspan(first - n + 1, 2 * n);
-  const auto control_points = std::span(curve.points.coordinates).subspan((first - n) * d, (n + 1) * d);
-  BsplineTarget target{t, {curve.points.dimension, static_cast<int>(n), knots, control_points}, {}, {}};
+  BsplineTarget target{t, span_view_at(curve, span_at(curve, t)), {}, {}};
+  const auto knots = target.span.knots;
+  const auto control_points = target.span.control_points;
   std::vector<double> magnitudes;
   for (const double x : control_points) magnitudes.push_back(std::abs(x));
   const auto add = [&](const reference::ExactBsplineWeights& weights) {
@@ -114,13 +120,38 @@ void add_rows(const BsplineKernel& method, const BsplineTarget& target, CurveTab
                     });
 }
 
+/// The spans that are not empty in Bernstein form, by the first method that makes it. Their ids are their numbers.
+curves::CurveSet spans_of(const BsplineCurve& curve, std::span<const BsplineKernel* const> methods) {
+  const auto maker = std::ranges::find_if(methods, &BsplineKernel::makes_bernstein);
+  if (maker == methods.end())
+    throw Failure(Exit::usage, fmt::format("--control-points: --method {} does not make them; leave it out",
+                                           methods.front()->info->id));
+  curves::CurveSet set;
+  for (std::size_t k = curve.degree(); k < curve.points.count(); ++k) {
+    if (curve.knots[k] == curve.knots[k + 1]) continue;
+    const auto span = span_view_at(curve, k);
+    const auto d = static_cast<std::size_t>(span.dimension);
+    std::vector<double> values(static_cast<std::size_t>(points_solved(**maker, span.degree)) * d);
+    (*maker)->solve(span, curve.knots[k], values.data());
+    const auto id = std::to_string(set.size());
+    const CurveView<double> view{Form::bernstein, span.dimension, span.degree, std::span(values).subspan(d)};
+    set.add(id, view, !set.continues_path(id, view));
+  }
+  return set;
+}
+
 void run_bspline(const BsplineOptions& options) {
   const auto curve = curve_of(options);
   const CurveFile of_degree{{}, Form::bernstein, 1, std::vector<double>(curve.degree() + 1), {}};
   const auto methods = chosen(bspline_kernels(curve.points.dimension), options.methods, of_degree, Problem::bspline);
+  if (options.control_points) {
+    fmt::print("{}", curves::to_csv(spans_of(curve, methods), number::decimal));
+    return;
+  }
+  if (options.t.empty()) throw Failure(Exit::usage, "--t is required; write --t T, or --control-points for all spans");
   std::vector<BsplineTarget> targets;
   for (const double t : finite_options("--t", options.t)) targets.push_back(target_of(curve, t));
-  CurveTable table(false, judged_columns({"method", "t", "index"}));
+  CurveTable table(false, false, judged_columns({"method", "t", "index"}));
   for (const auto* method : methods)
     for (const auto& target : targets) add_rows(*method, target, table);
   table.print();
@@ -132,7 +163,9 @@ void add_bspline(Command command) {
   command.option("--knots", options->knots, "all knots, separated by commas; degree + 1 more than points")
       .required()
       .takes("U0,U1,...");
-  command.option("--t", options->t, "parameter; may be repeated").required().takes("T");
+  command.option("--t", options->t, "parameter; may be repeated").takes("T");
+  command.flag("--control-points", options->control_points,
+               "print the spans in Bernstein form as a set of curves, by the first method that makes it");
   add_method_option(command, Problem::bspline, options->methods);
   command.action([options] { run_bspline(*options); });
 }

@@ -44,7 +44,7 @@ void convert(const ConvertOptions& options, CurveFile& curve) {
     throw Failure(Exit::input_output,
                   fmt::format("{}: coefficient {} of axis {} is beyond the largest double after conversion by {}; "
                               "scale the coordinates down, by a power of two to keep their digits",
-                              options.curve.file, place / curve.dimension, axis_name(place % curve.dimension), method));
+                              options.curve.name(), place / curve.dimension, axis_name(place % curve.dimension), method));
   }
   curve.coefficients = converted;
 }

@@ -8,6 +8,7 @@
 #include "experiments/peers/peers.hpp"
 #include "experiments/suite/nearest.hpp"
 #include "reference/error/coordinate_error.hpp"
+#include "reference/exact_curve.hpp"
 #include "reference/number/number.hpp"
 #include "reference/stop.hpp"
 
@@ -23,10 +24,20 @@ constexpr std::chrono::seconds without_a_word{3};
 }  // namespace
 
 void CurveOptions::add_to(Command command) {
-  command.option("--curve", file, "curve file (CSV); FILE#ID selects a curve by its id or its number from 0")
-      .required()
+  command
+      .option(
+          "--curve", file,
+          "file of curves (CSV, SVG, path data, JSON), - for standard input; FILE#ID selects a curve by its id or its "
+          "number from 0, or a path")
       .takes(file_value);
+  command.option("--path", path, "SVG path data, in place of --curve").takes("'M0,0 C...'");
   command.option("--form", form, "form of the file").one_of({"bernstein", "power"});
+}
+
+std::vector<CurveFile> CurveOptions::read() const {
+  if (file && path) throw Failure(Exit::usage, "--path: must not be given with --curve; give one of them");
+  if (!file && !path) throw Failure(Exit::usage, "--curve is required; write --curve FILE, or --path 'M0,0 C...'");
+  return path ? path_curves(*path) : read_curves(*file, form == "bernstein" ? Form::bernstein : Form::power);
 }
 
 void add_method_option(Command command, Problem problem, std::vector<std::string>& methods) {
@@ -169,6 +180,54 @@ void CurveTable::add_point(const std::vector<std::string>& first, std::span<cons
       row.push_back(std::move(field));
     add_row(std::move(row));
   }
+}
+
+std::vector<std::string> point_fields(std::span<const double> point, int dimension) {
+  std::vector<std::string> fields;
+  for (const double x : point) fields.push_back(number::decimal(x));
+  fields.resize(static_cast<std::size_t>(dimension));
+  return fields;
+}
+
+std::vector<std::string> point_fields_at(const CurveView<double>& curve, double t, int dimension) {
+  std::vector<double> point;
+  reference::ExactCurve exact;
+  if (std::isfinite(t)) {
+    const auto& truth = exact.point(curve, t);
+    for (int axis = 0; axis < curve.dimension && truth.exists(); ++axis)
+      point.push_back(reference::round_to(reference::binary64, truth.coordinate(axis)));
+  }
+  return point_fields(point, dimension);
+}
+
+std::vector<std::string> with_axes(std::vector<std::string> columns, int dimension) {
+  for (int axis = 0; axis < dimension; ++axis) columns.push_back(axis_name(axis));
+  return columns;
+}
+
+std::vector<std::span<const CurveFile>> paths_of(std::span<const CurveFile> curves) {
+  std::vector<std::span<const CurveFile>> paths;
+  for (std::size_t begin = 0; begin < curves.size();) {
+    std::size_t end = begin + 1;
+    while (end < curves.size() && !curves[end].begins_path) ++end;
+    paths.push_back(curves.subspan(begin, end - begin));
+    begin = end;
+  }
+  return paths;
+}
+
+std::string path_id(const std::string& id) {
+  const auto colon = id.rfind(':');
+  return colon == std::string::npos || colon == 0 ? id : id.substr(0, colon);
+}
+
+int largest_dimension(std::span<const CurveFile> curves) {
+  return std::ranges::max(curves, {}, &CurveFile::dimension).dimension;
+}
+
+void say_left_out(const std::string& name, std::size_t count, std::size_t all, std::string_view why) {
+  fmt::print(stderr, "bezierbench: {}: {} of {} left out, the first because: {}\n", printable(name), count, all,
+             printable(why));
 }
 
 }  // namespace bezierbench::cli

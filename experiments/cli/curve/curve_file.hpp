@@ -1,29 +1,30 @@
 // SPDX-License-Identifier: MIT
-// The files of `curve` commands. Curve files: CSV with a header that names the axes and, for a rational curve, the weights
-// (w), in any order; one coefficient per row, ascending. Points are not premultiplied by their weights. Several curves are
-// distinguished by the columns `curve` (also called `segment`) and `index`; a column `form` states the form of each. Point
-// files: the axes only, one point per row.
+// The files of `curve` commands: sets of curves in any format of reference/curves, and lists of points in CSV.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/curve_view.hpp"
+#include "reference/curves/csv.hpp"
+#include "reference/curves/read.hpp"
 
 namespace bezierbench::cli {
+
+using curves::PointList;
 
 /// The name of an axis: x, y or z.
 std::string axis_name(int axis);
 
 struct CurveFile {
-  std::string id;  ///< within its file; empty in a file without a column for it
+  std::string id;  ///< within its file; empty in a file without ids
   Form form = Form::bernstein;
   int dimension = 0;
   std::vector<double> coefficients;  ///< point by point
   std::vector<double> weights;       ///< of a rational curve; otherwise empty
+  bool begins_path = true;           ///< false where it is joined to the one before it
 
   [[nodiscard]] int degree() const { return static_cast<int>(coefficients.size()) / dimension - 1; }
   [[nodiscard]] CurveView<double> view() const { return {form, dimension, degree(), coefficients, weights}; }
@@ -31,34 +32,25 @@ struct CurveFile {
   [[nodiscard]] CurveFile along(int axis) const;
 };
 
-/// Parses a curve file, one curve or more. Where no column `form` states it, polynomial coefficients are in `form`.
-/// Weights make a curve rational; only the Bernstein form may have them, else throws Failure(usage). A curve of a file
-/// with a column for ids may leave the weights empty and is polynomial then. Throws Failure(input_output) that names
-/// file, row and column for anything but finite numbers under a valid header, weights that are all zero, and rows out of
-/// order.
-std::vector<CurveFile> parse_curves(std::string_view text, const std::string& file_name, Form form);
+/// Reads all curves of a file; `-` is standard input. Polynomial coefficients are in `form` where the file states none.
+/// Throws Failure(input_output) for a file that cannot be read, and Failure(usage) where `form` is power and the weights of
+/// a file belong to control points.
+curves::Read read_set(const std::string& file, Form form);
 
-/// Reads and parses what an option --curve names: a file, or FILE#ID, one curve of a file by its id or else by its
-/// number from 0. A file of the whole name comes first. Throws as parse_curves() does, Failure(input_output) for a file
-/// that cannot be read, and Failure(usage) for a curve that is not in it.
+/// Reads what an option --curve names: a file, or FILE#ID: one curve by its id or else by its number from 0, or else the
+/// curves of the path or part of a path whose ids begin with `ID:`. A file of the whole name comes first. Throws as
+/// read_set() does, and Failure(usage) for a curve that is not in it.
 std::vector<CurveFile> read_curves(const std::string& name, Form form);
+
+/// The curves of SVG path data, which messages call --path. Throws Failure(input_output).
+std::vector<CurveFile> path_curves(const std::string& data);
 
 /// Curves of one dimension, without weights, in the layout of curve files, in decimal; with the columns `curve` and
 /// `index` if there are several.
 std::string curves_csv(std::span<const CurveFile> curves);
 
-struct PointFile {
-  int dimension = 0;
-  std::vector<double> coordinates;  ///< point by point
-  std::vector<std::size_t> lines;   ///< of the file, one for each point
-
-  [[nodiscard]] std::size_t count() const { return coordinates.size() / static_cast<std::size_t>(dimension); }
-  [[nodiscard]] bool ends_where_it_starts() const;
-};
-
-/// Reads two points or more. Throws Failure(input_output) that names file, row and column for anything but finite numbers
-/// under a valid header, for fewer points, and for a file that cannot be read.
-PointFile read_points(const std::string& file);
+/// Reads at least so many points. Throws Failure(input_output) for fewer points, and for a file that cannot be read.
+PointList read_points(const std::string& file, std::size_t least = 2);
 
 /// Cubic Bezier segments as rows segment,index,x[,y[,z]] below a header, one control point per row. `segments` has four
 /// control points per segment, point by point. Segments and their points are numbered from 0.

@@ -52,7 +52,7 @@ std::vector<double> derivative_of(const std::string& option, const std::optional
 }
 
 /// The steps of the parameter. Throws Failure(input_output) that names the row where one is 0.
-std::vector<double> steps_of(const InterpolateOptions& options, const PointFile& points) {
+std::vector<double> steps_of(const InterpolateOptions& options, const PointList& points) {
   auto steps = knot_steps(points.coordinates, points.dimension, parameters_of(options), options.closed);
   const auto repeated = static_cast<std::size_t>(std::ranges::find(steps, 0.0) - steps.begin());
   if (repeated < steps.size())

@@ -6,19 +6,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <set>
+#include <span>
 #include <sstream>
 #include <utility>
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/startup/curve_sets.hpp"
 #include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/external/answers.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/input_fields.hpp"
-#include "experiments/sample/draw.hpp"
+#include "experiments/sample/curve_slice.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/external.hpp"
 #include "experiments/suite/text/reader.hpp"
@@ -29,14 +32,17 @@
 namespace bezierbench::cli {
 namespace {
 
+constexpr std::size_t drawn_before_trial = 4;  ///< the others of tables::drawn_columns() come last
+
 const std::vector<std::string>& columns() {
   static const auto all = [] {
     std::vector<std::string> names{"suite", "seed", "study", "trials", "form", "dimension", "degree"};
     const auto append = [&](const auto& more) { names.insert(names.end(), more.begin(), more.end()); };
-    append(tables::drawn_columns());
+    append(std::span(tables::drawn_columns()).first(drawn_before_trial));
     names.emplace_back("trial");
     append(judge::input_columns());
     append(external::answer_columns);
+    append(std::span(tables::drawn_columns()).subspan(drawn_before_trial));
     return names;
   }();
   return all;
@@ -45,6 +51,13 @@ const std::vector<std::string>& columns() {
 bool has_inputs(const suite::Study& study) {
   return studies::is_kind(study, studies::accuracy_kind) &&
          std::ranges::count(study.scalar, suite::ScalarKind::float64) > 0;
+}
+
+/// Visits the cells of a study, with those of its studies that they are of.
+template <class Visit>
+void each_cell(const suite::Study& study, const Visit& visit) {
+  for (const auto& one : sample::studies_of(study))
+    for (const auto& cell : sample::cells(one)) visit(one, cell);
 }
 
 void add_cell(const suite::Suite& of, const suite::Study& study, const sample::Cell& cell, bundle::CsvTable& table) {
@@ -62,10 +75,12 @@ void add_cell(const suite::Suite& of, const suite::Study& study, const sample::C
     const auto append = [&](const std::vector<std::string>& more) {
       fields.insert(fields.end(), more.begin(), more.end());
     };
-    for (const auto& drawn : tables::drawn_fields(cell)) fields.push_back(tables::text(drawn));
+    const auto drawn = tables::drawn_fields(cell);
+    for (std::size_t k = 0; k < drawn_before_trial; ++k) fields.push_back(tables::text(drawn[k]));
     fields.push_back(std::to_string(k));
     append(judge::input_fields(trial, cell.dimension));
     append(std::vector<std::string>(external::answer_columns.size()));
+    for (std::size_t k = drawn_before_trial; k < drawn.size(); ++k) fields.push_back(tables::text(drawn[k]));
     table.add_row(std::move(fields));
   }
 }
@@ -83,9 +98,12 @@ T& find_or_add(std::vector<T>& all, const std::string& id) {
   return all.back();
 }
 
-/// Adds the values of one row to the axes of its study.
+/// The inputs of rows that are of curve sets, by set: each row is a curve with its parameter.
+using GivenSets = std::map<std::string, curves::CurveSet>;
+
+/// Adds the values of one row to the axes of its study, or its input to `given`.
 void add_row(const bundle::CsvDocument& table, std::size_t row, const std::string& method,
-             std::vector<suite::Suite>& suites) {
+             std::vector<suite::Suite>& suites, GivenSets& given) {
   const auto read = [&](std::string_view column, auto parse, std::string_view what) {
     if (const auto value = parse(table.at(row, column))) return *value;
     throw Failure(Exit::input_output,
@@ -109,11 +127,31 @@ void add_row(const bundle::CsvDocument& table, std::size_t row, const std::strin
     study.methods = {method};
     study.trials = whole("trials");
   }
-  if (const auto form = suite::parse<Form>(table.at(row, "form"))) study.form = *form;
   const auto small = [&](std::string_view column) {
     return static_cast<int>(
         std::clamp<std::int64_t>(whole(column), -1, max_degree + 1));  // the checks refuse both ends
   };
+  const auto form = suite::parse<Form>(table.at(row, "form"));
+  if (const auto set = table.has_column("curves") ? table.at(row, "curves") : ""; !set.empty()) {
+    if (given.try_emplace(set).second) study.curves.push_back(set);
+    study.parameters_from = suite::ParameterSource::stored;
+    study.dimension.clear();
+    sample::Cell cell{
+        .form = form.value_or(Form::bernstein), .dimension = small("dimension"), .degree = small("degree")};
+    const auto input = read(
+        "coefficients",
+        [&](const std::string& coefficients) {
+          const bool is_curve =
+              form && cell.dimension >= 1 && cell.dimension <= 3 && cell.degree >= 0 && cell.degree <= max_degree;
+          return is_curve ? judge::parse_input({table.at(row, "t"), coefficients, table.at(row, "weights")}, cell)
+                          : std::nullopt;
+        },
+        "a curve of this form, dimension and degree");
+    given[set].add(table.at(row, "trial"), {cell.form, cell.dimension, cell.degree, input.coefficients, input.weights},
+                   true, std::span(&input.t, 1));
+    return;
+  }
+  if (form) study.form = *form;
   add_once(study.dimension, small("dimension"));
   add_once(study.degree, small("degree"));
   add_once(study.coordinate_range, number("coordinate_range"));
@@ -139,13 +177,13 @@ std::vector<std::string> input_of(const bundle::CsvDocument& table, std::size_t 
 std::set<std::vector<std::string>> drawn_inputs(const suite::Suite& of, const suite::Study& study) {
   std::set<std::vector<std::string>> inputs;
   sample::Trial trial;
-  for (const auto& cell : sample::cells(study)) {
-    const sample::Sampler sampler(of.seed, study.id, cell);
-    for (std::int64_t k = 0; k < study.trials; ++k) {
+  each_cell(study, [&](const suite::Study& one, const sample::Cell& cell) {
+    const sample::Sampler sampler(of.seed, one.id, cell);
+    for (std::int64_t k = 0; k < one.trials; ++k) {
       sampler.draw(static_cast<std::uint64_t>(k), trial);
       inputs.insert(judge::input_fields(trial, cell.dimension));
     }
-  }
+  });
   return inputs;
 }
 
@@ -157,8 +195,9 @@ bundle::CsvTable input_table(const std::vector<suite::Suite>& suites) {
   for (const auto& one : suites)
     for (const auto& study : one.studies)
       if (has_inputs(study))
-        for (const auto& cell : sample::cells(study))
-          bytes += static_cast<double>(study.trials) * static_cast<double>(judge::bytes_of_input(cell));
+        each_cell(study, [&](const suite::Study& of, const sample::Cell& cell) {
+          bytes += static_cast<double>(of.trials) * static_cast<double>(judge::bytes_of_input(cell));
+        });
   if (bytes == 0)
     throw Failure(Exit::usage, "no study is of kind accuracy in double; choose other suites, see `list studies`");
   if (bytes > largest)
@@ -169,8 +208,16 @@ bundle::CsvTable input_table(const std::vector<suite::Suite>& suites) {
   for (const auto& one : suites)
     for (const auto& study : one.studies)
       if (has_inputs(study))
-        for (const auto& cell : sample::cells(study)) add_cell(one, study, cell, table);
+        each_cell(study, [&](const suite::Study& of, const sample::Cell& cell) { add_cell(one, of, cell, table); });
   return table;
+}
+
+/// Gives a study its sets, which no file has.
+void use_given(suite::Study& study, const GivenSets& given) {
+  for (const auto& id : study.curves) {
+    study.sets.push_back(set_of(id, given.at(id)));
+    study.curves_sha256.push_back(study.sets.back()->sha256);
+  }
 }
 
 }  // namespace
@@ -200,7 +247,8 @@ std::vector<std::string> foreign_inputs(const bundle::CsvDocument& table, const 
 
 std::vector<suite::Suite> suites_of(const bundle::CsvDocument& table, const std::string& method) {
   std::vector<suite::Suite> suites;
-  for (std::size_t row = 0; row < table.row_count(); ++row) add_row(table, row, method, suites);
+  GivenSets given;
+  for (std::size_t row = 0; row < table.row_count(); ++row) add_row(table, row, method, suites, given);
   if (suites.empty())
     throw Failure(
         Exit::input_output,
@@ -208,7 +256,10 @@ std::vector<suite::Suite> suites_of(const bundle::CsvDocument& table, const std:
   auto known = vocabulary();
   known.methods.push_back(method);
   try {  // what a file says goes through the checks of a suite
-    return suite::parse_suites(suite::to_toml(suites), "suite.toml", known);
+    auto checked = suite::parse_suites(suite::to_toml(suites), "suite.toml", known);
+    for (auto& of : checked)
+      for (auto& study : of.studies) use_given(study, given);
+    return checked;
   } catch (const Failure& failure) {
     throw Failure(Exit::input_output,
                   fmt::format("{}: is not of a suite ({}); leave the columns of `bezierbench inputs` as they are",
@@ -225,6 +276,7 @@ void add_inputs(Command program, Exit& exit) {
   auto command = program.command(
       "inputs", "write the inputs of a suite's accuracy studies as CSV, for methods that run elsewhere");
   options->suites.add_suites(command);
+  options->suites.add_curves(command);
   command.option("--out", options->out, "output file").required().takes(file_value);
   options->suites.add_changes(command);
   command.action([options, &exit] {

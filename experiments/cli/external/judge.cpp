@@ -10,6 +10,7 @@
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/external/external_options.hpp"
 #include "experiments/cli/external/inputs.hpp"
+#include "experiments/cli/startup/curve_sets.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/studies/external/external.hpp"
@@ -27,12 +28,13 @@ struct JudgeOptions {
 Exit print_rows(const run::RunRequest& request, const external::Method& method) {
   tables::Tables tables;
   for (const auto& one : request.suites)
-    for (const auto& study : one.studies) {
-      const auto job = studies::external_job(study, method.record(), &method, {one.seed, request.tier});
-      if (!job) continue;
-      run::run_all(*job);
-      job->write(tables);
-    }
+    for (const auto& written : one.studies)
+      for (const auto& study : sample::studies_of(written)) {
+        const auto job = studies::external_job(study, method.record(), &method, {one.seed, request.tier});
+        if (!job) continue;
+        run::run_all(*job);
+        job->write(tables);
+      }
   const auto& table = tables.table("accuracy.csv");
   fmt::print("{}", table.text());
   const auto is_ok = [](const tables::Row& row) { return row.field("status") == tables::field("ok"); };
@@ -47,6 +49,7 @@ Exit judge(const JudgeOptions& options) {
   auto findings = foreign_inputs(table, request.suites);
   if (!options.out) return std::max(print_rows(request, *methods.front()), say_findings(findings));
   if (options.out->empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
+  request.curve_files = curves_beside(request.suites);
   request.out = *options.out;
   request.telling = run::Telling::nothing;
   const auto of_run = run::run(request).findings;

@@ -12,7 +12,7 @@
 
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/digest.hpp"
-#include "experiments/cli/curves_file.hpp"
+#include "experiments/cli/curve/curve_file.hpp"
 #include "experiments/cli/startup/suites_folder.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/sample/curve_slice.hpp"
@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An entry of `curves`, taken apart.
+/// What an entry of `curves` means.
 struct Entry {
   fs::path file;
   std::string id;
@@ -42,13 +42,18 @@ bool names_file(const std::string& word) {
          std::ranges::any_of(extensions, [&](const char* end) { return word.ends_with(end); });
 }
 
-/// An id for a set of this file: a part of the names of files and a field of tables.
-std::string id_of(const fs::path& file) {
-  auto id = file.stem().string();
-  if (id.starts_with(bundle::curves_prefix)) id.erase(0, std::string_view(bundle::curves_prefix).size());
+/// The file name of a copy of the set, without what begins and ends it.
+std::string part_of_name(std::string id) {
   for (char& c : id)
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_' && c != '-' && c != '.') c = '_';
   return id;
+}
+
+/// The id of a set of this file, which a copy of it in a bundle keeps.
+std::string id_of(const fs::path& file) {
+  auto id = file.stem().string();
+  if (id.starts_with(bundle::curves_prefix)) id.erase(0, std::string_view(bundle::curves_prefix).size());
+  return part_of_name(id);
 }
 
 Entry entry_of(const suite::Study& study, std::size_t number) {
@@ -66,11 +71,9 @@ Entry entry_of(const suite::Study& study, std::size_t number) {
   }
   const auto ids = shipped_curves();
   if (std::ranges::find(ids, word) == ids.end())
-    suite::refuse(study, {"curves",
-                          number,
-                          {},
-                          fmt::format("unknown curve set \"{}\"{}; for a file, write ./{}", echo(word),
-                                      suite::suggestion(word, ids), echo(word))});
+    suite::refuse(
+        study,
+        {"curves", number, {}, fmt::format("unknown curve set \"{}\"{}", echo(word), suite::suggestion(word, ids))});
   entry.file = curves_folder() / (word + ".csv");
   entry.id = word;
   entry.is_shipped = true;
@@ -87,7 +90,9 @@ curves::CurveSet matching(const curves::CurveSet& all, const std::string& glob) 
 std::shared_ptr<const sample::LoadedSet> loaded(const suite::Study& study, std::size_t number, const Entry& entry) {
   auto set = std::make_shared<sample::LoadedSet>();
   set->id = entry.glob.empty() ? entry.id : fmt::format("{}#{}", entry.id, entry.glob);
-  set->curves = read_curve_set(entry.file.string()).set;
+  if (!entry.is_shipped) set->id = part_of_name(set->id);
+  set->is_shipped = entry.is_shipped;
+  set->curves = read_set(entry.file.string(), Form::bernstein).set;
   if (!entry.glob.empty()) set->curves = matching(set->curves, entry.glob);
   if (set->curves.empty())
     suite::refuse(study, {"curves",
@@ -99,13 +104,6 @@ std::shared_ptr<const sample::LoadedSet> loaded(const suite::Study& study, std::
   return set;
 }
 
-std::string name_beside(const std::string& set_id) {
-  auto id = set_id;
-  std::ranges::replace_if(
-      id, [](char c) { return c == '#' || c == '*' || c == '?' || c == ':' || c == '/'; }, '_');
-  return fmt::format("{}{}.csv", bundle::curves_prefix, id);
-}
-
 template <class Visit>
 void each_study_of_sets(std::vector<suite::Suite>& suites, const Visit& visit) {
   for (auto& one : suites)
@@ -114,6 +112,14 @@ void each_study_of_sets(std::vector<suite::Suite>& suites, const Visit& visit) {
 }
 
 }  // namespace
+
+std::shared_ptr<const sample::LoadedSet> set_of(std::string_view id, curves::CurveSet given) {
+  auto set = std::make_shared<sample::LoadedSet>();
+  set->id = part_of_name(std::string(id));
+  set->curves = std::move(given);
+  set->sha256 = bundle::sha256_hex(set->curves.canonical_bytes());
+  return set;
+}
 
 std::vector<std::string> shipped_curves() {
   std::vector<std::string> ids;
@@ -147,9 +153,9 @@ std::vector<std::pair<std::string, std::string>> curves_beside(std::vector<suite
   std::map<std::string, std::shared_ptr<const sample::LoadedSet>> copied;  // by name
   each_study_of_sets(suites, [&](suite::Study& study) {
     for (std::size_t k = 0; k < study.curves.size(); ++k) {
-      if (entry_of(study, k).is_shipped) continue;
       const auto& set = study.sets[k];
-      const auto name = name_beside(set->id);
+      if (set->is_shipped) continue;
+      const auto name = fmt::format("{}{}.csv", bundle::curves_prefix, set->id);
       const auto [at, is_new] = copied.emplace(name, set);
       if (!is_new && at->second->sha256 != set->sha256)
         suite::refuse(study,

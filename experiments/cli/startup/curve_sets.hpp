@@ -2,16 +2,22 @@
 // The curve sets that suites name: files, or shipped sets by their ids.
 #pragma once
 
+#include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "experiments/sample/curve_slice.hpp"
 #include "experiments/suite/suite.hpp"
 
 namespace bezierbench::cli {
 
 /// The ids of the shipped sets, sorted.
 std::vector<std::string> shipped_curves();
+
+/// A set that is not read from a file; `id` as in the tables of a bundle.
+std::shared_ptr<const sample::LoadedSet> set_of(std::string_view id, curves::CurveSet given);
 
 /// Reads the sets of all studies into Study::sets. An entry with `/` or a known extension is a file, relative to the
 /// suite's; any other is the id of a shipped set; SET#GLOB takes the curves whose ids match. States their SHA-256 in the

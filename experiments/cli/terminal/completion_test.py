@@ -48,7 +48,7 @@ class Shells(Case):
     def test_bash(self):
         self.assertIn("run", self.bash("bezierbench "))
         self.assertNotIn("complete", self.bash("bezierbench "))  # it is for the shells only
-        self.assertEqual(self.bash("bezierbench cu"), ["curve"])
+        self.assertEqual(self.bash("bezierbench cu"), ["curve", "curves"])
         self.assertEqual(self.bash("bezierbench --help"), ["--help"])
         self.assertEqual(self.bash("bezierbench run --tri"), ["--trials"])
         for files in ("run report --out b", "compare bundle b", "curve eval --curve c", "judge c", "run report --set x"):
@@ -79,7 +79,7 @@ class Shells(Case):
                                     cwd=self.folder, env=self.path, check=True, timeout=60, stdout=subprocess.PIPE)
             return [line.split("\t")[0] for line in result.stdout.decode().splitlines()]
 
-        self.assertEqual(fish("bezierbench cu"), ["curve"])
+        self.assertEqual(fish("bezierbench cu"), ["curve", "curves"])
         self.assertEqual(fish("bezierbench run --tri"), ["--trials"])
         self.assertLessEqual(set(self.ids("suites")), set(fish("bezierbench run ")))
         self.assertEqual(fish("bezierbench curve eval --method exact_dd:"), ["exact_dd:horner_dd"])
@@ -116,7 +116,7 @@ class Shells(Case):
                      "setopt no_auto_list no_auto_menu; print -r -- re''ady"):
             os.write(terminal, f"{line}\n".encode())
         until("\nready")
-        self.assertEqual(zsh("bezierbench cu"), "bezierbench curve ")
+        self.assertEqual(zsh("bezierbench doc"), "bezierbench doctor ")
         self.assertEqual(zsh("bezierbench run --tri"), "bezierbench run --trials ")
         self.assertEqual(zsh("bezierbench run lad"), "bezierbench run ladder ")
         self.assertEqual(zsh("bezierbench curve eval --method exact_dd:"), "bezierbench curve eval --method exact_dd:horner_dd ")

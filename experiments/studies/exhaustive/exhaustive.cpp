@@ -293,9 +293,9 @@ std::unique_ptr<run::Job> exhaustive_job(const suite::Study& study, const run::J
   return std::make_unique<ExhaustiveJob>(study);
 }
 
-constexpr std::array<std::string_view, 10> keys_without{
-    "dimension", "coordinate_range", "generator",       "scalar",   "trials", "replicates",
-    "curve",     "parameters",       "parameters_from", "placement"};
+constexpr std::array<std::string_view, 9> keys_without{"dimension",  "coordinate_range", "generator",
+                                                       "scalar",     "trials",           "replicates",
+                                                       "parameters", "parameters_from",  "placement"};
 
 }  // namespace
 

@@ -21,21 +21,14 @@ std::vector<TargetRival> rivals_of(const suite::Study& study, const sample::Cell
   const auto targets = batch::usable_targets();
   for (const auto* kernel : judge::chosen_kernels<Scalar>(study, cell)) {
     if (!kernel->info->template supports<Scalar>(cell.degree)) continue;
-    const auto add = [&](Work work, suite::Mode mode, const batch::Target* target) {
-      methods.push_back({work, mode, kernel->info, kernel->evaluator, target});
-    };
     for (const auto* target : targets)
-      if (batch::find(*target, *kernel)) add(Work::batch_points, suite::Mode::batch, target);
-    add(Work::scalar_points, suite::Mode::point, nullptr);
-    add(Work::scalar_chain, suite::Mode::latency, nullptr);
+      if (batch::find(*target, *kernel))
+        methods.push_back({Work::batch_points, target, kernel->info, kernel->evaluator});
   }
   if (methods.empty()) return {};
   std::vector<TargetRival> all;
   for (const auto* target : targets)
-    for (const auto work : {Work::multiply_add, Work::multiply_add_and_add})
-      all.push_back({work, suite::Mode::batch, nullptr, nullptr, target});
-  for (const auto mode : {suite::Mode::batch, suite::Mode::point, suite::Mode::latency})
-    all.push_back({Work::call, mode, nullptr, nullptr, nullptr});
+    for (const auto work : {Work::multiply_add, Work::multiply_add_and_add}) all.push_back({work, target});
   all.insert(all.end(), methods.begin(), methods.end());
   return all;
 }
@@ -44,9 +37,6 @@ template <class Scalar>
 race::Rival rival_of(const TargetRival& who, const Kernel<Scalar>* kernel, const race::Inputs<Scalar>& inputs,
                      const race::JudgedPoints<Scalar>& judged) {
   switch (who.work) {
-    case Work::scalar_points:
-    case Work::scalar_chain: return race::kernel_rival(*kernel, who.mode, inputs, judged.points);
-    case Work::call: return race::call_rival(who.mode, inputs);
     case Work::batch_points: return race::batch_rival(*who.target, *kernel, inputs, judged.points);
     case Work::multiply_add: return race::peak_rival(batch::works_of<Scalar>(*who.target).back().multiply_add());
     case Work::multiply_add_and_add: break;
@@ -78,7 +68,7 @@ RooflineTimes times_of(const RooflineRace& race, const suite::Study& study, std:
   auto times = race::time_rounds(fmt::format("{}/{}", study.id, race.cell.degree), rivals, options);
   for (std::size_t k = 0; k < times.size(); ++k)
     times[k].checked = times[k].checked && is_right<Scalar>(judged[race.rivals[k].method]);
-  return {std::move(times), race::measured_operations<Scalar>(options.clock)};
+  return times;
 }
 
 }  // namespace

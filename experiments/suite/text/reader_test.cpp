@@ -55,18 +55,18 @@ TEST(Reader, ReadsTheGoalsOfARoofline) {
   EXPECT_THAT(goals(study + "goals = [{ method = \"direct\", share = 0.6 }]\n"),
               ElementsAre(Goal{.method = "direct", .share = 0.6}));
   const std::string goal = study + "goals = [{ method = \"direct\", ";
-  EXPECT_THAT(goals(goal + "no_slower_than = \"de_casteljau\", scalar = \"float\", from_degree = 5, to_degree = 9, "
+  EXPECT_THAT(goals(goal + "share = 1, scalar = \"float\", from_degree = 5, to_degree = 9, "
                            "needs_additions_beside = true }]\n"),
               ElementsAre(Goal{.method = "direct",
-                               .no_slower_than = "de_casteljau",
+                               .share = 1,
                                .scalar = ScalarKind::float32,
                                .from_degree = 5,
                                .to_degree = 9,
                                .needs_additions_beside = true}));
   EXPECT_THAT(refused(goal + "shar = 0.6 }]\n"), HasSubstr("share"));
-  EXPECT_THAT(refused(goal + "share = 0.6, no_slower_than = \"direct\" }]\n"), HasSubstr("give one of them"));
-  EXPECT_THAT(refused(goal + "from_degree = 5 }]\n"), HasSubstr("give one of them"));
-  EXPECT_THAT(refused(goal + "share = -1 }]\n"), HasSubstr("share must be above 0"));
+  EXPECT_THAT(refused(goal + "share = 0.6, no_slower_than = \"direct\" }]\n"), HasSubstr("no_slower_than"));
+  EXPECT_THAT(refused(goal + "from_degree = 5 }]\n"), HasSubstr("requires a share"));
+  EXPECT_THAT(refused(goal + "share = -1 }]\n"), HasSubstr("above 0"));
   EXPECT_THAT(refused(goal + "share = 1, from_degree = 5, to_degree = 4 }]\n"), HasSubstr("from_degree"));
   EXPECT_THAT(refused(goal + "share = 1, needs_additions_beside = 1 }]\n"), HasSubstr("true or false"));
   EXPECT_THAT(refused(study + "goals = [{ share = 1 }]\n"), HasSubstr("needs a method"));

@@ -107,7 +107,7 @@ class Random {
     if (below(2) == 0)
       made.goals = {{.method = known.methods[0], .share = 0x1p-3 * static_cast<double>(1 + below(9)), .from_degree = 3},
                     {.method = known.methods[1],
-                     .no_slower_than = known.methods[0],
+                     .share = 1,
                      .scalar = ScalarKind::float32,
                      .to_degree = 20,
                      .needs_additions_beside = true}};

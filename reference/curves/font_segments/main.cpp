@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// For font_test.py: `font_segments FONT` prints a line for each segment of a font, `id begins_path x0y0x1y1...`, where a
-// coordinate is the 16 hexadecimal digits of its bits, and then `left out: COUNT REASON`.
+// For font_test.py: `font_segments FONT` prints a line for each segment of a font, `id begins_path x0y0x1y1...`, where
+// a coordinate is the 16 hexadecimal digits of its bits, and then `left out: COUNT REASON`.
 #include <fmt/format.h>
 
 #include <bit>

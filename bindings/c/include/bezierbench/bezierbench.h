@@ -7,8 +7,8 @@
  * dimension is 1, 2 or 3, a degree 0 to 1023; coordinates, weights and parameters are finite. Results must not overlap
  * what is read. An evaluation takes up to 160 KiB of the thread's stack, at degree 1023 in space.
  *
- * All functions may be called by several threads at once, also with one bb_prepared or bb_fitted, as long as none frees
- * it. Methods and reference compute in IEEE 754 arithmetic to nearest: in another rounding mode, or where subnormal
+ * All functions may be called by several threads at once, also with one bb_prepared, bb_fitted or bb_curves, as long as
+ * none frees it. Methods and reference compute in IEEE 754 arithmetic to nearest: in another rounding mode, or where subnormal
  * numbers are flushed to zero, a function returns BB_ERROR_ENVIRONMENT. Floating-point exception flags and traps of the
  * caller are left as they were. No C++ exception leaves the library; exhausted memory is BB_ERROR_MEMORY, except in big
  * integers of the reference, where GMP ends the process unless the caller gave it functions of its own.
@@ -49,7 +49,8 @@ typedef enum bb_status {
   BB_ERROR_COUNT = 15,       /* too few points, an index beyond the end, or a buffer that is too small */
   BB_ERROR_INTERNAL = 16,    /* a defect of this library */
   BB_ERROR_STOPPED = 17,     /* the computation was stopped: see bb_stop_when() */
-  BB_ERROR_REPEATED = 18     /* a point repeats the one before it, so that a parameter takes no step */
+  BB_ERROR_REPEATED = 18,    /* a point repeats the one before it, so that a parameter takes no step */
+  BB_ERROR_FILE = 19         /* a file cannot be read, or breaks a rule of its kind */
 } bb_status;
 
 /* The forms in which a curve can be given. */
@@ -249,6 +250,25 @@ BB_API const double* bb_fitted_points(const bb_fitted* fitted); /* 4 * dimension
 BB_API double bb_fitted_max_error(const bb_fitted* fitted);     /* as the method bounds it: at most the tolerance */
 BB_API int bb_fitted_exact_error(const bb_fitted* fitted, double* error); /* the true one, rounded once */
 BB_API void bb_fitted_free(bb_fitted* fitted);                            /* null is allowed */
+
+/* ---- Files of curves ---- */
+
+/* The curves of a file, in its order. */
+typedef struct bb_curves bb_curves;
+
+/* Reads a file of curves: CSV, SVG, SVG path data or JSON, by its extension or else by what is in it. Lines are curves of
+ * degree 1, arcs rational ones of degree 2. For BB_ERROR_FILE `message`, unless null, becomes a line of less than `size`
+ * bytes that says where in the file and what to do. */
+BB_API int bb_curves_read(const char* file, char* message, size_t size, bb_curves** curves);
+BB_API size_t bb_curves_count(const bb_curves* curves);
+/* Curve number `index` from 0. Its numbers are those of `curves`: copy them, or use them until that is freed. */
+BB_API int bb_curves_at(const bb_curves* curves, size_t index, bb_curve* curve);
+/* Whether it is the first segment of a path: 1 or 0. A segment that is not starts where the one before it ends. */
+BB_API int bb_curves_begins_path(const bb_curves* curves, size_t index, int* begins);
+/* Its id with a final zero. `required` (may be null) gets the bytes that this takes, also where the result is
+ * BB_ERROR_COUNT because `size` bytes are too few. */
+BB_API int bb_curves_id(const bb_curves* curves, size_t index, char* id, size_t size, size_t* required);
+BB_API void bb_curves_free(bb_curves* curves); /* null is allowed */
 
 /* ---- Cubic splines through points ---- */
 

@@ -43,10 +43,13 @@ template <class E, class S, int Dimension, int Degree>
 [[gnu::flatten]] void evaluate_side_by_side(const void* prepared, std::span<const S> t, S* points) {
   const auto view = as_axes<Degree>(*static_cast<const PreparedOf<E, S, Dimension>*>(prepared));
   using A = typename AxesOf<std::remove_const_t<decltype(view)>>::Type;
-  for (const S at : t) {
-    E::evaluate(view, A(at))[0].template store<Dimension>(points);
-    points += Dimension;
-  }
+  with_evaluation<E>(view, [t, points](const auto& point_at) {
+    S* next = points;
+    for (const S at : t) {
+      point_at(A(at))[0].template store<Dimension>(next);
+      next += Dimension;
+    }
+  });
 }
 
 template <class E, class S, int Dimension, int... Degree>

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// Formula: with q_j the power coefficients about either end and k the largest sum_(j>0) |q_j| 2^-j / max|b_i| over both
+//   ends and all axes: for k <= 1/2 local:differences:horner_fma, for k <= 2 local:differences:horner_corrected, else
+//   horner_bernstein_fma. About an end, power form multiplies numbers that are hardly larger than the result.
+// Source: [Farin 2002], nested multiplication; the choice is derived here.
+// Cost: dn fused multiply-adds and a sum per point; d (n + 3) and 3d + 1; or that of horner_bernstein_fma.
+// Bound: that of the method that is chosen. docs/proofs/local.md has the proof.
+// Keeps: docs/proofs/local.md.
+// Fails: as horner_bernstein_fma, where k > 2. Its differences take O(n^2) to prepare.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <type_traits>
+
+#include "core/convert/differences.hpp"
+#include "core/evaluate/guarantee.hpp"
+#include "core/evaluate/local.hpp"
+#include "core/evaluate/methods/horner_bernstein_fma.hpp"
+#include "core/evaluate/methods/horner_corrected.hpp"
+#include "core/evaluate/methods/horner_fma.hpp"
+
+namespace bezierbench {
+
+struct LocalOrBernstein {
+  using Plain = Local<Via<Differences, HornerFma>>;
+  using Corrected = Local<Via<Differences, HornerCorrected>>;
+
+  /// The larger of those of the two local methods, which differ in their constants.
+  static constexpr ErrorBound of_local{
+      .text = "u |p|; about the nearer end, by way of power form",
+      .amplification = Amplification::spread_to_power,
+      .factor = [](int n,
+                   double u) { return std::max(Plain::info.bound->factor(n, u), Corrected::info.bound->factor(n, u)); },
+      .underflow = Corrected::info.bound->underflow,
+      .underflow_scales_with_coefficients = true,
+      .growth = Corrected::info.bound->growth,
+      .unit_interval_only = true,
+      .result_roundings = Corrected::info.bound->result_roundings};
+  static constexpr MethodInfo info{
+      .id = "local_or_bernstein",
+      .label = "About the nearer end, or Horner-Bernstein, fused: by curve",
+      .form = Form::bernstein,
+      .max_degree = Plain::info.max_degree,
+      .max_degree_float = Plain::info.max_degree_float,
+      .bound = ErrorBound{.text = "gamma_(2n+2) p~; of local curves u |p| and what their spread adds",
+                          .amplification = Amplification::p_tilde_bernstein,
+                          .factor = HornerBernsteinFma::info.bound->factor,
+                          .underflow = HornerBernsteinFma::info.bound->underflow,
+                          .underflow_scales_with_coefficients = true,
+                          .growth = HornerBernsteinFma::info.bound->growth,
+                          .of_local = &of_local},
+      .one_minus_t = OneMinusT::summed,
+      .flops = "dn fma + 1, d(n+3) fma + 3d + 1, or n(1+d) + dn fma + 1",
+      .prepare_exponent = 2,
+      .citation = "[Farin 2002], nested multiplication, with fused steps; bound derived here"};
+
+  static constexpr std::array guarantees{Guarantee{Property::ends_exact}, Guarantee{Property::constant_reproduced},
+                                         Guarantee{Property::in_hull, 1}, Guarantee{Property::finite, 1},
+                                         Guarantee{Property::total}};
+
+  /// The power coefficients about either end; where the curve is not local, C(n,i) b_i in place of those about b_0. All
+  /// of `choice` is 2 where power form is corrected, 1 where it is plain, else 0.
+  template <class Scalar, int Dimension, int Degree>
+  struct Prepared {
+    Curve<Form::power, Scalar, Dimension, Degree> from_start;
+    Curve<Form::power, Scalar, Dimension, Degree> from_end;
+    PreparedRow<Scalar, Degree> choice;
+
+    [[nodiscard]] auto parts() const { return std::tie(from_start, from_end, choice); }
+  };
+
+  template <class Scalar, int Dimension, int Degree>
+  static auto prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
+    auto [from_start, from_end] = Plain::prepare(curve);
+    const auto scaled = HornerBernstein::prepare(curve).scaled;
+    const auto is_local = is_within(Scalar(1) / Scalar(2), curve, from_start, from_end);
+    const auto is_plain = is_within(Scalar(2), curve, from_start, from_end);
+    auto choice = per_coefficient<Scalar, Degree>(curve.degree());
+    for (int i = 0; i <= curve.degree(); ++i) {
+      choice[i] = select(is_plain, Scalar(1), select(is_local, Scalar(2), Scalar(0)));
+      for (int axis = 0; axis < Dimension; ++axis)
+        from_start(axis, i) = select(is_local, from_start(axis, i), scaled(axis, i));
+    }
+    return Prepared<Scalar, Dimension, Degree>{from_start, from_end, choice};
+  }
+
+  /// Calls `use` with what was chosen for the curve, a function of t.
+  template <class Scalar, int Dimension, int Degree, class Use>
+  static auto with_chosen(const Prepared<Scalar, Dimension, Degree>& prepared, const Use& use) {
+    const auto choice = parameter_of(prepared.choice[0]);
+    using Choice = std::remove_const_t<decltype(choice)>;
+    const auto is_local = Choice(1) <= choice;
+    const auto is_corrected = Choice(2) <= choice;
+    const auto plain = [&](const Scalar& t) { return Plain::evaluate(prepared.from_start, prepared.from_end, t); };
+    const auto corrected = [&](const Scalar& t) {
+      return Corrected::evaluate(prepared.from_start, prepared.from_end, t);
+    };
+    const auto bernstein = [&](const Scalar& t) {
+      return HornerBernsteinFma::nested<Scalar, Dimension>(prepared.from_start, t);
+    };
+    if (!any_of(is_local)) return use(bernstein);
+    if (all_of(is_corrected)) return use(corrected);
+    if (all_of(is_local) && !any_of(is_corrected)) return use(plain);
+    return use([&](const Scalar& t) {  // one for each curve of a group
+      auto p = bernstein(t);
+      const auto q = plain(t);
+      const auto r = corrected(t);
+      for (int axis = 0; axis < Dimension; ++axis)
+        p[axis] = select(is_corrected, r[axis], select(is_local, q[axis], p[axis]));
+      return p;
+    });
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const Prepared<Scalar, Dimension, Degree>& prepared, Scalar t) {
+    return with_chosen(prepared, [&](const auto& method) { return method(t); });
+  }
+
+ private:
+  /// Whether factor k is at most 1, as computed; false where this overflows.
+  template <class Scalar, int Dimension, int Degree>
+  static auto is_within(const Scalar& factor, const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve,
+                        const Curve<Form::power, Scalar, Dimension, Degree>& from_start,
+                        const Curve<Form::power, Scalar, Dimension, Degree>& from_end) {
+    using std::abs;
+    const Scalar half = Scalar(1) / Scalar(2);
+    auto within = Scalar(0) <= Scalar(0);
+    for (int axis = 0; axis < Dimension; ++axis) {
+      Scalar largest = abs(curve(axis, 0));
+      Scalar start(0);
+      Scalar end(0);
+      for (int j = curve.degree(); j > 0; --j) {
+        const Scalar size = abs(curve(axis, j));
+        largest = select(largest < size, size, largest);
+        start = half * (start + abs(from_start(axis, j)));
+        end = half * (end + abs(from_end(axis, j)));
+      }
+      within = both(within, both(factor * start <= largest, factor * end <= largest));
+    }
+    return within;
+  }
+};
+
+}  // namespace bezierbench
