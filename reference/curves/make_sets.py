@@ -77,7 +77,7 @@ SOURCES = {
     "roboto": CurveSource("Apache-2.0", 1800, 150, "program", (
         debian("fonts-roboto-unhinted", "2:0~20170802-3", "usr/share/fonts/truetype/roboto/unhinted/RobotoTTF/*.ttf",
                common_licence="Apache-2.0"),)),
-    "cff": CurveSource("OFL-1.1", 5000, 400, "program", (
+    "cff": CurveSource("OFL-1.1", 5000, 220, "program", (
         debian("fonts-cantarell", "0.303.1-1", f"{OTF}/cantarell/*.otf"),
         debian("fonts-ebgaramond", "0.016+git20210310.42d4f9f2-1", f"{OTF}/ebgaramond/*.otf"),
         debian("fonts-linuxlibertine", "5.3.0-6", f"{OTF}/linux-libertine/*_R*.otf"),
