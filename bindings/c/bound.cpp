@@ -41,7 +41,7 @@ void write_bounds(const MethodInfo& info, const CurveView<double>& curve, std::s
 int bb_curve_bound(const char* method, const bb_curve* curve, const double* t, std::size_t count, bb_bound* bounds) {
   return c::guarded([&] {
     const auto view = c::curve_of(curve);
-    const auto& info = *c::chosen(kernels<double>(view.dimension), method, view).info;
+    const auto& info = *c::evaluator(method, view).info;
     write_bounds(info, view, c::parameters(info, t, count), reference::double_arithmetic, bounds);
   });
 }
@@ -50,7 +50,7 @@ int bb_bound_float(const char* method, int dimension, int degree, const float* p
                    std::size_t count, bb_bound* bounds) {
   return c::guarded([&] {
     const auto view = c::bezier_curve(dimension, degree, points);
-    const auto& info = *c::chosen(kernels<float>(dimension), method, view).info;
+    const auto& info = *c::evaluator(method, view).info;
     const std::vector<double> values(view.coefficients.begin(), view.coefficients.end());
     write_bounds(info, {Form::bernstein, dimension, degree, values}, c::parameters(info, t, count),
                  reference::float_arithmetic, bounds);

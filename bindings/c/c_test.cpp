@@ -410,6 +410,24 @@ TEST(C, BoundsInFloatHoldThere) {
   EXPECT_GT(judged, 60);
 }
 
+/// A null method is the recommended one.
+TEST(C, ANullMethodIsTheRecommendedOne) {
+  EXPECT_EQ(bb_recommended(3, 2, 0), nullptr);
+  EXPECT_EQ(bb_recommended(BB_BERNSTEIN, -1, 0), nullptr);
+  for (const int degree : {1, 2, 3, 12}) {
+    std::vector<double> b;
+    for (int i = 0; i <= degree; ++i) b.push_back(1 / (i + 0.7));
+    const std::array<double, 3> t{0.1, 0.61, 1.7};
+    std::array<double, 3> by_default{};
+    std::array<double, 3> named{};
+    ASSERT_EQ(bb_evaluate(nullptr, 1, degree, b.data(), t.data(), t.size(), by_default.data()), BB_OK);
+    ASSERT_EQ(
+        bb_evaluate(bb_recommended(BB_BERNSTEIN, degree, 0), 1, degree, b.data(), t.data(), t.size(), named.data()),
+        BB_OK);
+    EXPECT_EQ(by_default, named);
+  }
+}
+
 TEST(C, WhatIsWrongIsRefusedAndNothingIsWritten) {
   const double t = 0.5;
   double out = 7;
@@ -417,7 +435,6 @@ TEST(C, WhatIsWrongIsRefusedAndNothingIsWritten) {
     return bb_evaluate(method, dimension, degree, b, at, 1, &out);
   };
   const double* b = points.data();
-  EXPECT_EQ(evaluate(nullptr, 1, 2, b, &t), BB_ERROR_NULL);
   EXPECT_EQ(evaluate("de_casteljau", 1, 2, nullptr, &t), BB_ERROR_NULL);
   EXPECT_EQ(evaluate("de_casteljau", 1, 2, b, nullptr), BB_ERROR_NULL);
   EXPECT_EQ(bb_evaluate("de_casteljau", 1, 2, b, &t, 1, nullptr), BB_ERROR_NULL);

@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "bindings/c/curve.hpp"
+#include "core/api/recommended.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "core/method.hpp"
 
 namespace bezierbench::c {
@@ -29,6 +31,23 @@ const typename Table::element_type& chosen(const Table& table, const char* id, c
     }
   }
   throw Refused{reason};
+}
+
+/// The id of the evaluator that a null id stands for: that of the C++ function evaluate().
+template <class Scalar>
+const char* recommended_id(Form form, int degree) {
+  switch (form) {
+    case Form::power: return recommended<Form::power, Scalar>(degree).id.data();
+    case Form::rational: return recommended<Form::rational, Scalar>(degree).id.data();
+    default: return recommended<Form::bernstein, Scalar>(degree).id.data();
+  }
+}
+
+/// The evaluator of this id for the curve; the recommended one for a null id. Throws as chosen().
+template <class Scalar>
+const Kernel<Scalar>& evaluator(const char* id, const CurveView<Scalar>& curve) {
+  return chosen(kernels<Scalar>(curve.dimension), id != nullptr ? id : recommended_id<Scalar>(curve.form, curve.degree),
+                curve);
 }
 
 /// `count` finite parameters in the domain of the method.

@@ -13,7 +13,7 @@ namespace {
 
 template <class Scalar>
 PreparedState<Scalar> prepared(const char* method, const CurveView<Scalar>& curve) {
-  return {c::chosen(kernels<Scalar>(curve.dimension), method, curve), curve};
+  return {c::evaluator(method, curve), curve};
 }
 
 template <class Scalar>
@@ -55,3 +55,9 @@ int bb_prepared_evaluate(const bb_prepared* curve, const double* t, std::size_t 
 }
 
 void bb_prepared_free(bb_prepared* curve) { delete curve; }
+
+const char* bb_recommended(int form, int degree, int is_float) {
+  if (form < BB_BERNSTEIN || form > BB_RATIONAL || degree < 0 || degree > max_degree) return nullptr;
+  const Form of = form == BB_POWER ? Form::power : form == BB_RATIONAL ? Form::rational : Form::bernstein;
+  return is_float != 0 ? c::recommended_id<float>(of, degree) : c::recommended_id<double>(of, degree);
+}

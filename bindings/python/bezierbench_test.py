@@ -59,6 +59,16 @@ class Points(unittest.TestCase):
         self.assertTrue(np.array_equal(values, bezierbench.exact(CURVE, T)))
         self.assertEqual(list(values[-1]), CURVE[-1])
 
+    def test_the_method_that_is_not_named(self):
+        """It is the recommended one, for the same curve in the same type."""
+        for points, weights in ((CURVE, None), (np.float32(CURVE), None), (CURVE, [1, 2, 1, 0.5][:len(CURVE)])):
+            name = bezierbench.recommended(points, weights=weights)
+            self.assertIn(name, {method.id for method in bezierbench.methods()})
+            for function in (bezierbench.evaluate,) if weights else (bezierbench.evaluate, bezierbench.bound):
+                self.assertTrue(np.array_equal(function(points, T, weights=weights), function(points, T, name, weights=weights)))
+        self.assertEqual(bezierbench.Prepared(CURVE).method, bezierbench.recommended(CURVE))
+        self.assertEqual(bezierbench.recommended(CURVE, form="power"), "horner")
+
     def test_errors_and_bounds(self):
         values = bezierbench.evaluate(CURVE, T)
         judged = bezierbench.error(CURVE, T, values)

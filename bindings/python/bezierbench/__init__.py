@@ -14,7 +14,7 @@ from .bundles import Bundle, numbers, read
 from .curve_files import FileCurve, curves
 from .files import BundleError
 from .listing import Method, methods, version
-from .points import Bounds, Errors, Halves, Prepared, bound, derivative, error, evaluate, exact, exact_fractions, grid, split
+from .points import Bounds, Errors, Halves, Prepared, bound, derivative, error, evaluate, exact, exact_fractions, grid, recommended, split
 from .problems import (
     ExactFoot,
     Fit,
@@ -35,4 +35,4 @@ from .problems import (
 __all__ = ["Bounds", "Bundle", "BundleError", "Error", "Errors", "ExactFoot", "FileCurve", "Fit", "Foot", "Halves", "Length", "Method",
            "Parameter", "Prepared", "arc_length", "arc_length_error", "at_length", "bound", "curves", "derivative", "error", "evaluate", "exact",
            "exact_arc_length", "exact_fractions", "exact_project", "fit", "grid", "interpolate", "methods", "numbers", "project",
-           "project_error", "read", "split", "version"]
+           "project_error", "read", "recommended", "split", "version"]

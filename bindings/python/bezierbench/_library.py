@@ -61,6 +61,7 @@ _SIGNATURES: dict[str, tuple[type | None, list[type]]] = {
     "bb_stop_when": (None, [c_void_p]),
     "bb_method_count": (c_size_t, []),
     "bb_method_at": (c_int, [c_size_t, POINTER(MethodEntry)]),
+    "bb_recommended": (c_char_p, [c_int, c_int, c_int]),
     "bb_evaluate_float": (c_int, [c_char_p, c_int, c_int, _ARRAY, _ARRAY, c_size_t, _ARRAY]),
     "bb_exact_float": (c_int, [c_int, c_int, _ARRAY, _ARRAY, c_size_t, _ARRAY]),
     "bb_curve_evaluate": (c_int, [c_char_p, _CURVE, _ARRAY, c_size_t, _ARRAY]),

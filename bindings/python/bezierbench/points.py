@@ -11,13 +11,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Array, GivenCurve, address, array_of, is_float, parameters, point_rows
+from ._arrays import FORMS, Array, GivenCurve, address, array_of, is_float, parameters, point_rows
 from ._library import HalfEntry, check, library
 
 # For every degree, and t inside or outside of [0,1]; evaluate() says why.
-_DEFAULTS = {"bernstein": "de_casteljau", "power": "horner", "rational": "de_casteljau"}
-
-
 _DERIVATIVES = {"bernstein": "differences_de_casteljau", "power": "power_derivative"}
 _GRIDS = {"bernstein": "pointwise_de_casteljau", "power": "pointwise_horner"}
 
@@ -52,9 +49,12 @@ def _require_double(points: ArrayLike, why: str) -> None:
         raise ValueError(f"{why}; give float64")
 
 
-def _name(method: str | None, form: str, defaults: dict[str, str] = _DEFAULTS) -> bytes:
-    """The method as the library takes it; the default of the form for None."""
+def _name(method: str | None, form: str, defaults: dict[str, str] | None = None) -> bytes | None:
+    """The method as the library takes it. For None the default of the form, or None where there are no defaults: the library
+    then takes the recommended evaluator."""
     if method is None:
+        if defaults is None:
+            return None
         if form not in defaults:
             raise ValueError(f"nothing takes curves of the form {form!r} here")
         return defaults[form].encode()
@@ -92,12 +92,7 @@ def evaluate(points: ArrayLike, t: ArrayLike, method: str | None = None, *, form
     float32 is evaluated in float, in Bernstein form only. Raises Error for a method that does not exist or does not take the
     curve.
 
-    Without a method it is de_casteljau for control points, with weights or without, and horner for power form. They take
-    every degree, no binomial coefficient enters that could overflow, and their bounds hold for every finite t (with weights
-    for t in [0, 1]). The price is time, which grows with the square of the degree for de_casteljau. For many points at a high
-    degree give method="horner_bernstein", whose time grows with the degree, as the C++ function evaluate() chooses for up to
-    degree 512; bound() says whether its bound is enough. Errors and times are in results/answers of the project: studies
-    answers-bezier, -outside, -rational, -power and answers-bezier-time.
+    Without a method it is the one that `recommended` names.
     """
     if is_float(points):
         name = _name(method, "bernstein")
@@ -109,6 +104,17 @@ def evaluate(points: ArrayLike, t: ArrayLike, method: str | None = None, *, form
     at = parameters(t)
     return _answered(at, _result(at, curve.dimension), lambda some, out: library.bb_curve_evaluate(
         name, curve.pointer, address(some), some.size, address(out)))
+
+
+def recommended(points: ArrayLike, *, form: str = "bernstein", weights: ArrayLike | None = None) -> str:
+    """The id of the method that `evaluate` takes for this curve without one, the same as in C and C++: of the methods that need
+    neither a conversion nor a fused operation and whose bound is proved, one that is about as fast as the fastest and has the
+    smallest errors, by the project's bundle results/answers."""
+    if is_float(points):
+        rows, _ = _float_curve(points, 0, form, weights)
+        return library.bb_recommended(FORMS[form], rows.shape[0] - 1, 1).decode()
+    curve = GivenCurve(points, form, weights)
+    return library.bb_recommended(FORMS[curve.form], len(curve.points) - 1, 0).decode()
 
 
 def _float_curve(points: ArrayLike, t: ArrayLike, form: str, weights: ArrayLike | None) -> tuple[Array, Array]:
@@ -269,8 +275,8 @@ class Prepared:
         _require_double(points, "curves are prepared in double")
         curve = GivenCurve(points, form, weights)
         self.dimension = curve.dimension
-        self.method = _name(method, curve.form).decode()
-        self._owner = _PreparedOwner(self.method.encode(), curve)
+        self.method = recommended(points, form=form, weights=weights) if method is None else method
+        self._owner = _PreparedOwner(_name(self.method, curve.form), curve)
 
     def __call__(self, t: ArrayLike) -> Array:
         at = parameters(t)

@@ -106,6 +106,11 @@ typedef struct bb_method {
 BB_API size_t bb_method_count(void);
 BB_API int bb_method_at(size_t index, bb_method* method);
 
+/* The evaluator that a null `method` stands for in the functions below, bb_prepare and the bounds: that of the C++ function
+   evaluate(), for curves of this bb_form and degree, in float where `is_float` is not 0. Null for arguments that no curve
+   has. */
+BB_API const char* bb_recommended(int form, int degree, int is_float);
+
 /* ---- Points of a Bezier curve ---- */
 
 /* The points at t[0] to t[count - 1] by a method, and the true points, each coordinate rounded once. */
