@@ -56,6 +56,8 @@ fs::path curves_folder() { return shipped_folder("curves"); }
 
 fs::path answers_folder() { return shipped_folder("answers"); }
 
+fs::path real_folder() { return shipped_folder("real"); }
+
 std::vector<std::string> shipped_suites() {
   std::vector<std::string> ids;
   std::error_code error;

@@ -22,8 +22,9 @@ std::filesystem::path suites_folder();
 /// The folder of the shipped curve sets, likewise; the file of a set is ID.csv.
 std::filesystem::path curves_folder();
 
-/// The bundle of the shipped answers, likewise.
+/// The bundles of the shipped answers and of real curves, likewise.
 std::filesystem::path answers_folder();
+std::filesystem::path real_folder();
 
 /// The ids of the suites in suites_folder(), in alphabetical order. The file of a suite is ID.toml.
 std::vector<std::string> shipped_suites();
