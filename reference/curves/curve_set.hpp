@@ -32,8 +32,8 @@ class CurveSet {
   /// each is the start of the next.
   [[nodiscard]] bool begins_path(std::size_t k) const { return curves_[k].begins_path; }
 
-  /// Whether `curve` continues the path of the last curve of the set, where nothing but their ids says so: it starts at
-  /// the point where that one ends, and the ids are equal but for a number at the end that grows by one (3 after 2,
+  /// Whether `curve` continues the path of the last curve of the set, where only their ids say so: it starts at
+  /// the point where that one ends, and the ids are equal except for a number at the end that grows by one (3 after 2,
   /// logo:0:3 after logo:0:2). Curves in power form have no such ends.
   [[nodiscard]] bool continues_path(std::string_view id, const CurveView<double>& curve) const;
 

@@ -381,7 +381,7 @@ class Document {
   std::unordered_set<std::string> names_;                          ///< of paths
   std::size_t paths_ = 0;
   std::size_t elements_drawn_ = 0;
-  std::size_t bytes_ = 0;  ///< of values of attributes that were asked for
+  std::size_t bytes_ = 0;  ///< of the values of attributes that were read
 };
 
 }  // namespace
