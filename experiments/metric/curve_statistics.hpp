@@ -27,13 +27,13 @@ struct CurveGroup {
   double low = 0;  ///< the smallest and the largest coordinate
   double high = 0;
   CurveQuantiles size{};      ///< the largest extent of the control points along an axis
-  CurveQuantiles distance{};  ///< the largest magnitude of a coordinate over the size; of curves that are no point
+  CurveQuantiles distance{};  ///< the largest magnitude of a coordinate over the size; of curves that are not a point
   std::size_t points = 0;     ///< all control points are one
-  std::size_t coincident_ends = 0;        ///< the first control point is the last; of curves that are no point
-  std::size_t coincident_neighbours = 0;  ///< two consecutive control points are one; of curves that are no point
+  std::size_t coincident_ends = 0;        ///< the first control point is the last; of curves that are not a point
+  std::size_t coincident_neighbours = 0;  ///< two consecutive control points are one; of curves that are not a point
   std::size_t collinear =
       0;  ///< degree 2 and more, no point: control points within 1e-12 of the size of a straight line
-  std::size_t monotone = 0;  ///< no coordinate of the control points turns back; of curves that are no point
+  std::size_t monotone = 0;  ///< no coordinate of the control points turns back; of curves that are not a point
 };
 
 /// The groups of a set, the most curves first; of equally many the lower degree.

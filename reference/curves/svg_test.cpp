@@ -147,7 +147,7 @@ TEST(Svg, ErrorsNameTheirPlace) {
 }
 
 TEST(Svg, HostileDocumentsEnd) {
-  // Entities are not expanded, so that what names them is not a path.
+  // Entities are not expanded, so what names them is not a path.
   EXPECT_THAT(refusal_of("<!DOCTYPE svg [<!ENTITY a 'M0,0'><!ENTITY b '&a;&a;&a;'>]><svg><path d='&b;'/></svg>"),
               HasSubstr("\"&b;\""));
   std::string deep;

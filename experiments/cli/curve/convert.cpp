@@ -41,10 +41,11 @@ void convert(const ConvertOptions& options, CurveFile& curve) {
   const auto beyond = std::ranges::find_if(converted, [](double value) { return !std::isfinite(value); });
   if (beyond != converted.end()) {
     const auto place = static_cast<int>(beyond - converted.begin());
-    throw Failure(Exit::input_output,
-                  fmt::format("{}: coefficient {} of axis {} is beyond the largest double after conversion by {}; "
-                              "scale the coordinates down, by a power of two to keep their digits",
-                              options.curve.name(), place / curve.dimension, axis_name(place % curve.dimension), method));
+    throw Failure(
+        Exit::input_output,
+        fmt::format("{}: coefficient {} of axis {} is beyond the largest double after conversion by {}; "
+                    "scale the coordinates down, by a power of two to keep their digits",
+                    options.curve.name(), place / curve.dimension, axis_name(place % curve.dimension), method));
   }
   curve.coefficients = converted;
 }

@@ -133,7 +133,7 @@ std::vector<std::string> judged_coordinate(double value, const reference::Ration
                                            const reference::Rational& p_tilde, std::optional<double> bound);
 
 /// A table whose rows begin with the id of their curve if there are several, and then with the number of the question, from
-/// 0, if each curve is asked several.
+/// 0, if there are several for each curve.
 class CurveTable {
  public:
   CurveTable(bool several_curves, bool several_questions, std::vector<std::string> columns)
@@ -226,9 +226,10 @@ auto cases_of(std::span<const CurveFile> curves, const std::string& name, const 
 }
 
 /// The command that adds rows for every curve of a file. `Task` has `problem`, `columns()` or `columns(dimension)`, and
-/// `kernels(dimension)`, and holds the values of its own options. It may have `prepare()`, which checks them, `questions()`,
-/// how many each curve is asked, the option `truth`, `path_columns(dimension)` with `add_path_rows()`, which answers for a
-/// whole path, and the flag `control_points` with `add_to_set()`, which adds curves in place of rows. Curves that no method takes are left out, unless they are all.
+/// `kernels(dimension)`, and holds the values of its own options. It may have `prepare(whole_path)`, which checks them,
+/// `questions()`, how many there are for each curve, the option `truth`, `path_columns(dimension)` with `add_path_rows()`,
+/// which answers for a whole path, and the flag `control_points` with `add_to_set()`, which adds curves in place of rows.
+/// Curves that no method takes are left out, unless they are all.
 template <class Task>
 void add_curve_command(Command command) {
   struct Options {
