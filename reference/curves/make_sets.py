@@ -506,6 +506,9 @@ def main():
     except Failure as failure:
         print(f"make_sets.py: {failure}", file=sys.stderr)
         return failure.code
+    except subprocess.CalledProcessError as error:
+        print(f"make_sets.py: {error.cmd[0]} failed with {error.returncode} on a package", file=sys.stderr)
+        return 3
     except OSError as error:
         print(f"make_sets.py: {error.filename}: {error.strerror}", file=sys.stderr)
         return 4
