@@ -71,4 +71,10 @@ class ExactCurve {
   mpz_class weight_;
 };
 
+// The true coefficients of a curve in the other form.
+
+/// Coefficients of `curve` in the other form, each a point:
+///   q_j = C(n,j) sum_i (-1)^(j-i) C(j,i) b_i,    b_i = sum_(j<=i) C(i,j) / C(n,j) q_j (over the denominator n!).
+std::vector<ExactPoint> converted(const CurveView<double>& curve);
+
 }  // namespace bezierbench::reference

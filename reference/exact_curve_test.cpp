@@ -7,7 +7,6 @@
 #include <limits>
 #include <random>
 
-#include "reference/exact_conversion.hpp"
 #include "reference/rational_test.hpp"
 
 namespace bezierbench::reference {

@@ -8,7 +8,7 @@ from pathlib import Path
 from . import fixture
 from .answer import NO_TIME, USELESS, candidates, default_cell, is_proved_small, lost, useful
 from .bundle import Bundle, Missing
-from .chapters import first_glance, speed
+from .chapters import choice, first_glance, speed
 from .findings.roster import find_all
 
 U = 2.0 ** -53
@@ -33,7 +33,7 @@ class Answer(unittest.TestCase):
         self.assertEqual((cell.form, cell.mode, cell.scalar, cell.dimension), ("bernstein", "point", "double", 2))
         times = [one.ns for one in cells[cell]]
         self.assertEqual(times, sorted(times))
-        block = next(b for b in first_glance.answer(self.bundle(), None) if b.kind == "answer")
+        block = next(b for b in choice.answer(self.bundle(), None) if b.kind == "answer")
         self.assertEqual([g.key for g in block.table.groups], ["horner_bernstein", "direct", "de_casteljau", "compensated_de_casteljau"])
         self.assertIn("`horner_bernstein`", block.sentence)
         self.assertNotIn("`direct`", block.sentence)  # dominated
@@ -44,7 +44,7 @@ class Answer(unittest.TestCase):
             if at == "pareto.csv" and row["method"] == "horner_bernstein":
                 row.update(observed_max_u=8219, bound_u=1.97e6)
         bundle = self.bundle(loses_digits)
-        block = next(b for b in first_glance.answer(bundle, None) if b.kind == "answer")
+        block = next(b for b in choice.answer(bundle, None) if b.kind == "answer")
         self.assertNotIn("horner_bernstein", block.sentence)
         self.assertIn("with a proved bound of at most 20 u p~, fastest first: `compensated_de_casteljau`", block.sentence)
         last = block.table.groups[-1]
@@ -73,7 +73,7 @@ class Answer(unittest.TestCase):
             if at == "pareto.csv" and row["method"] == "horner_bernstein":
                 row["observed_max_u"] = 1.01 * USELESS / U
         bundle = self.bundle(ruin)
-        block = next(b for b in first_glance.answer(bundle, None) if b.kind == "answer")
+        block = next(b for b in choice.answer(bundle, None) if b.kind == "answer")
         self.assertNotIn("horner_bernstein", [g.key for g in block.table.groups])
         tables = [b for b in speed.choosing(bundle, find_all(bundle)) if b.kind == "table"]
         self.assertTrue(tables)
@@ -93,7 +93,7 @@ class Answer(unittest.TestCase):
     def test_nothing_to_rank_is_no_answer(self):
         bundle = self.bundle(without=("pareto.csv", "accuracy.csv", "unstable.csv"))
         with self.assertRaises(Missing):
-            list(first_glance.answer(bundle, None))
+            list(choice.answer(bundle, None))
 
     def test_tiles_count_violations_and_noise(self):
         calm = self.tiles(self.bundle())

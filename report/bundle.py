@@ -196,8 +196,8 @@ class Bundle(Folder):
         return tables[0].with_rows([row for t in tables for row in t.rows])
 
     def exact(self, *suites):
-        """Rows of every method against the exact value, of the studies of these suites."""
-        table = self.judged().of_suite(*suites)
+        """Rows of every method against the exact value, of the studies of these suites, or of all."""
+        table = self.judged().of_suite(*suites) if suites else self.judged()
         return table.with_rows(table.some(baseline="exact"))
 
     def has_suite(self, suite):

@@ -46,8 +46,8 @@ def error_tables(study, rows, across="degree", down="generator", curves=None):
 
 # The same quantity in the other units of accuracy.csv; a bound is stated in coordinate units, too.
 UNITS = {
-    "mean_error_u": (("coordinate", "mean_error"), ("ulp", "mean_error_ulp"), ("relative", "mean_relative")),
-    "max_error_u": (("coordinate", "max_error"), ("ulp", "max_error_ulp"), ("relative", "max_relative")),
+    "mean_error_u": (("coordinate", "mean_error"), ("ulp", "mean_error_ulp"), ("relative", "mean_relative"), ("size", "mean_error_size")),
+    "max_error_u": (("coordinate", "max_error"), ("ulp", "max_error_ulp"), ("relative", "max_relative"), ("size", "max_error_size")),
     "bound_u": (("coordinate", "max_bound"),),
 }
 

@@ -70,7 +70,7 @@ def _number(value):
 
 
 def _answer(answer):
-    from .chapters.first_glance import where
+    from .chapters.choice import where
     cells = []
     for cell, members in answer.cells.items():
         methods = [dict(method=one.method, ns=_number(one.ns), low=_number(one.timed and one.timed["ns_low"]),

@@ -3,14 +3,16 @@
 """The table at the top of README.md follows the bundle: what changes there turns an answer over."""
 import math
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 sys.dont_write_bytecode = True  # the source tree may be read-only
+from report import fixture  # noqa: E402
 from report.bundle import Bundle  # noqa: E402
-from scripts.pages.answers import DEGREES, NEEDS, answers, winner  # noqa: E402
+from scripts.pages.answers import DEGREES, NEEDS, REAL, answers, winner  # noqa: E402
 
 BUNDLE = ROOT / "results/answers"
 WORSE = {"accuracy.csv": {"bound_u": 1e9, "max_error_ulp": 0.75}, "arc_length.csv": {"broken_promises": 1.0},
@@ -83,6 +85,41 @@ class Answers(unittest.TestCase):
         _, times = self.rows(need, method)
         times[1].values["degree"] = 13.0
         self.assertNotEqual(method_of(self.bundle, need), method)
+
+
+class RealCurves(unittest.TestCase):
+    def bundle(self, change=None):
+        with tempfile.TemporaryDirectory() as place:
+            return Bundle(fixture.write_real(f"{place}/b", change))
+
+    def test_they_come_first_and_have_their_own_degrees(self):
+        lines = answers(Bundle(BUNDLE), self.bundle()).splitlines()
+        self.assertEqual(lines[0], "| need | method | n = 2 | n = 3 | n = 12 | n = 30 |")
+        self.assertTrue(lines[2].startswith("| **Real curves, float**"))
+        self.assertTrue(lines[2].endswith("| `differences:horner` | 8 % misrounded, 4 ns | 8 % misrounded, 6 ns |  |  |"), lines[2])
+        first = next(line for line in lines if line.startswith("| **Fast and safe"))
+        self.assertEqual([cell == "" for cell in map(str.strip, first.split("|")[3:-1])], [True, False, False, False])
+        self.assertIn("outlines (4,000 points) and icons (1,000 points)", " ".join(lines))
+        self.assertNotIn("few (", " ".join(lines))
+
+    def test_the_fastest_that_misrounds_little_on_every_set(self):
+        self.assertEqual([method_of(self.bundle(), need) for need in REAL],
+                         ["differences:horner", "correctly_rounded", "differences:horner", "differences:horner"])
+
+        def one_set(file, row):
+            if row["method"] == "differences:horner" and row.get("curves") == "icons" and row["generator"] == "stored":
+                row["misrounded"] = 0.11
+        self.assertEqual(method_of(self.bundle(one_set), REAL[0]), "correctly_rounded")
+
+    def test_a_method_that_a_set_does_not_judge_is_no_answer(self):
+        bundle = self.bundle(lambda file, row: (row["method"], row.get("curves"), row["scalar"]) != ("differences:horner", "icons", "float"))
+        self.assertEqual([method_of(bundle, REAL[0]), method_of(bundle, REAL[3])], ["correctly_rounded", "differences:horner"])
+
+    def test_a_broken_bound_is_no_answer(self):
+        def broken(file, row):
+            if row["method"] == "differences:horner" and row.get("curves") == "outlines" and row["degree"] == 2:
+                row["bound_violations"] = 1
+        self.assertEqual(method_of(self.bundle(broken), REAL[0]), "correctly_rounded")
 
 
 if __name__ == "__main__":

@@ -1,11 +1,20 @@
+#!/usr/bin/python3 -I
 # SPDX-License-Identifier: MIT
-"""Digests of a bundle's rows, method by method, computed from its tables as the program computes them for digests.csv."""
+"""Digests of a bundle's rows, method by method, computed from its tables as the program computes them for digests.csv.
+
+digests.py BASE OTHER    compares the accuracy of two bundles bit for bit: exits 1 where rows of BASE are missing or differ in OTHER;
+                         names what only OTHER has
+"""
 
 import hashlib
+import sys
 from collections import Counter
+from pathlib import Path
 from typing import NamedTuple
 
-from report import files, schema
+sys.path.append(str(Path(__file__).resolve().parent.parent))
+sys.dont_write_bytecode = True  # the source tree may be read-only
+from report import files, schema  # noqa: E402
 
 NAME = "digests.csv"
 
@@ -110,3 +119,11 @@ def _listed(path, data):
 
 def _table(path):
     return files.table(path, files.content(path))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    agreement = Agreement(*map(Path, sys.argv[1:]))
+    print(agreement.counts(), *agreement.named(), sep="\n")
+    sys.exit(0 if agreement.holds() else 1)

@@ -29,7 +29,7 @@ from scripts.pages.answers import answers  # noqa: E402
 
 WORDING = ("citation",)  # columns of methods.csv whose wording may change; they have no numbers of a bundle
 PART = re.compile(r"(<!-- begin ([a-z_]+) -->\n).*?(<!-- end \2 -->)", re.DOTALL)
-PARTS = {"answers": lambda _page: answers(Bundle(bundles.ANSWERS)), "figure": lambda page: figure.picture(Bundle(bundles.ANSWERS), page),
+PARTS = {"answers": lambda _page: answers(Bundle(bundles.ANSWERS), bundles.real()), "figure": lambda page: figure.picture(Bundle(bundles.ANSWERS), page),
          "printed": bundles.printed, "printed_orders": bundles.printed_orders, "scorecard": bundles.scorecard,
          "digest": bundles.digest, "doors": index.doors, "index": index.index}
 PARTS_OF_PROGRAM = {"comparison": bundles.comparison, "methods": program.methods, "suites": program.suites,

@@ -22,14 +22,17 @@ namespace {
 class Methods {
  public:
   Methods() {
-    for (const auto& kernel : kernels<double>(1)) add(*kernel.info);
-    for (const auto* info : derivative_infos()) add(*info);
-    for (const auto* info : grid_infos()) add(*info);
-    for (const auto* info : split_infos()) add(*info);
-    for (const auto* info : arc_length_infos()) add(*info);
-    for (const auto* info : inverse_arc_length_infos()) add(*info);
-    for (const auto* info : projection_infos()) add(*info);
-    for (const auto* info : fitting_infos()) add(*info);
+    const auto add_all = [this](const auto& all) {
+      for (const auto& kernel : all) add(*kernel.info);
+    };
+    add_all(kernels<double>(1));
+    add_all(derivative_kernels(1));
+    add_all(grid_kernels(1));
+    add_all(split_kernels(1));
+    add_all(arc_length_kernels(1));
+    add_all(inverse_arc_length_kernels(1));
+    add_all(projection_kernels(1));
+    add_all(fitting_kernels(1));
   }
 
   [[nodiscard]] const std::vector<bb_method>& entries() const { return entries_; }

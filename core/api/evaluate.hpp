@@ -205,40 +205,27 @@ double bound_on_axis(const ErrorBound& bound, Form form, std::span<const double>
 }
 
 template <class Points>
-auto bounds_of(const ErrorBound& bound, Form form, const Points& points, double t) {
-  constexpr auto dimension = static_cast<std::size_t>(dimension_of_points<Points>);
-  const int n = degree_of_points(points);
-  std::array<double, dimension> result;
-  std::array<double, max_degree + 1> coefficients;
-  for (std::size_t axis = 0; axis < dimension; ++axis) {
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(n); ++i)
-      coefficients[i] = static_cast<double>(std::ranges::data(points)[i][axis]);
-    result[axis] = bound_on_axis<ScalarOf<Points>>(
-        bound, form, std::span<const double>(coefficients.data(), static_cast<std::size_t>(n) + 1), t);
-  }
-  return result;
-}
-
-template <class Points>
 auto bounds_of(const MethodInfo& info, Form form, const Points& points, double t) {
+  using Scalar = ScalarOf<Points>;
   constexpr auto dimension = static_cast<std::size_t>(dimension_of_points<Points>);
-  constexpr double u = sizeof(ScalarOf<Points>) == sizeof(float) ? 0x1p-24 : 0x1p-53;
+  constexpr double u = sizeof(Scalar) == sizeof(float) ? 0x1p-24 : 0x1p-53;
   std::array<double, dimension> result;
   result.fill(std::numeric_limits<double>::infinity());
   if (!info.bound) return result;
-  if (info.bound->of_local == nullptr) return bounds_of(*info.bound, form, points, t);
-  const int n = degree_of_points(points);
-  const auto coordinate = [&points](int axis, int i) {
-    return static_cast<double>(std::ranges::data(points)[static_cast<std::size_t>(i)][static_cast<std::size_t>(axis)]);
-  };
-  const auto kind = local_or_not(locality(n, static_cast<int>(dimension), coordinate), n, u);
-  result.fill(0);
-  const auto raise_to = [&](const ErrorBound& bound) {
-    const auto further = bounds_of(bound, form, points, t);
-    for (std::size_t axis = 0; axis < dimension; ++axis) result[axis] = std::max(result[axis], further[axis]);
-  };
-  if (kind.may_be_local) raise_to(*info.bound->of_local);
-  if (kind.may_be_other) raise_to(*info.bound);
+  const auto count = static_cast<std::size_t>(degree_of_points(points)) + 1;
+  std::array<double, max_degree + 1> room;
+  const std::span<const double> coefficients(room.data(), count);
+  for (std::size_t axis = 0; axis < dimension; ++axis) {
+    for (std::size_t i = 0; i < count; ++i) room[i] = static_cast<double>(std::ranges::data(points)[i][axis]);
+    LocalOrNot kinds{.may_be_other = info.bound->of_local == nullptr};
+    if (!kinds.may_be_other) {
+      const int n = static_cast<int>(count) - 1;
+      kinds.add(locality(n, [&](int i) { return coefficients[static_cast<std::size_t>(i)]; }), n, u);
+    }
+    result[axis] =
+        std::max(kinds.may_be_local ? bound_on_axis<Scalar>(*info.bound->of_local, form, coefficients, t) : 0,
+                 kinds.may_be_other ? bound_on_axis<Scalar>(*info.bound, form, coefficients, t) : 0);
+  }
   return result;
 }
 

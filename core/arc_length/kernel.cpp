@@ -68,6 +68,4 @@ std::span<const ArcLengthKernel> arc_length_kernels(int dimension) {
   return kernels_of<ArcLengthKernel, MakeKernel>(ArcLengthMethods{}, dimension);
 }
 
-std::span<const MethodInfo* const> arc_length_infos() { return infos_of(ArcLengthMethods{}); }
-
 }  // namespace bezierbench

@@ -34,7 +34,4 @@ double whole_length(const CurveView<double>& curve);
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const ArcLengthKernel> arc_length_kernels(int dimension);
 
-/// The infos of all methods, in roster order.
-std::span<const MethodInfo* const> arc_length_infos();
-
 }  // namespace bezierbench

@@ -7,7 +7,6 @@
 #include "core/batch/target_table.hpp"
 #include "core/evaluate/methods/de_casteljau_fixed_point.hpp"
 #include "core/evaluate/methods/direct.hpp"
-#include "core/evaluate/methods/local_or_bernstein.hpp"
 #include "core/evaluate/methods/wozny_chudy_rational.hpp"
 #include "core/evaluate/schemes/barycentric.hpp"
 #include "core/evaluate/schemes/correctly_rounded_pair.hpp"
@@ -79,16 +78,6 @@ struct Direct::Prepared<batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, Degre
 
   Curve<Form::bernstein, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> curve;
   batch::HWY_NAMESPACE::Row<S, Count> binomial;
-};
-
-template <class S, int Count, int DimensionT, int DegreeT>
-struct LocalOrBernstein::Prepared<batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> {
-  HWY_INLINE explicit Prepared(const batch::Parts<S>& parts)
-      : from_start(parts.first, parts.degree), from_end(parts.second, parts.degree), choice(parts.third) {}
-
-  Curve<Form::power, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> from_start;
-  Curve<Form::power, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> from_end;
-  batch::HWY_NAMESPACE::Row<S, Count> choice;
 };
 
 template <class S, int Count, int DimensionT, int DegreeT>

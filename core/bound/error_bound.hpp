@@ -63,8 +63,8 @@ struct ErrorBound {
   bool unit_interval_only = false;     ///< proved for 0 <= t <= 1 only
   bool positive_weights_only = false;  ///< of a rational method: weights of 0 are not allowed
   double result_roundings = 0;  ///< roundings of the result itself: all that is left when the rest is compensated
-  /// Of a method that chooses by curve: the bound of curves that are local (core/bound/locality.hpp). All else here is
-  /// of the others.
+  /// Of a method that chooses by axis: the bound where the curve is local (core/bound/locality.hpp). All else here is
+  /// of the other axes.
   const ErrorBound* of_local = nullptr;
   /// Of a method for power form that adds c_0 last, so that it rounds c_0 in the result only: also
   ///   |computed - true| <= constant_roundings u |p| + factor(n, u) u sum_(j>0) |c_j| x^j

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How large the power coefficients of a curve about its ends are beside its coordinates, by which a method may choose.
+// How large the power coefficients of a curve about its ends are beside its coordinates, by which a method may choose
+// on each axis.
 #pragma once
 
 #include <algorithm>
@@ -11,33 +12,31 @@
 
 namespace bezierbench {
 
-/// A curve is local where this, as a method computes it, is at most 2.
+/// A curve is local on an axis where this, as a method computes it, is at most 2.
 inline constexpr double most_local = 2;
 
-/// With q_j the power coefficients about either end: the largest sum_(j>0) |q_j| 2^-j / max|b_i| over both ends and all
-/// axes, 0 where all b_i are 0. coordinate(axis, i) is that of control point i.
+/// On one axis, with q_j the power coefficients about either end: the larger sum_(j>0) |q_j| 2^-j / max|b_i| of the two
+/// ends, 0 where all b_i are 0. b(i) is the coordinate of control point i.
 template <class Coordinate>
-double locality(int degree, int dimension, const Coordinate& coordinate) {
-  double result = 0;
+double locality(int degree, const Coordinate& b) {
   std::array<double, max_degree + 1> difference;
-  for (int axis = 0; axis < dimension; ++axis) {
-    double largest = 0;
-    double sums[2] = {0, 0};
-    for (int i = 0; i <= degree; ++i) {
-      difference[static_cast<std::size_t>(i)] = coordinate(axis, i);
-      largest = std::max(largest, std::abs(coordinate(axis, i)));
-    }
-    double weight = 1;
-    for (int j = 1; j <= degree; ++j) {
-      for (std::size_t i = 0; i <= static_cast<std::size_t>(degree - j); ++i)
-        difference[i] = difference[i + 1] - difference[i];
-      weight *= 0.5 * (degree - j + 1) / j;  // C(n,j) 2^-j
-      sums[0] += weight * std::abs(difference[0]);
-      sums[1] += weight * std::abs(difference[static_cast<std::size_t>(degree - j)]);
-    }
-    if (largest > 0) result = std::max({result, sums[0] / largest, sums[1] / largest});
+  double largest = 0;
+  for (int i = 0; i <= degree; ++i) {
+    difference[static_cast<std::size_t>(i)] = b(i);
+    largest = std::max(largest, std::abs(b(i)));
   }
-  return result;
+  if (largest == 0) return 0;
+  double from_start = 0;
+  double from_end = 0;
+  double weight = 1;
+  for (int j = 1; j <= degree; ++j) {
+    const auto last = static_cast<std::size_t>(degree - j);
+    for (std::size_t i = 0; i <= last; ++i) difference[i] = difference[i + 1] - difference[i];
+    weight *= 0.5 * (degree - j + 1) / j;  // C(n,j) 2^-j
+    from_start += weight * std::abs(difference[0]);
+    from_end += weight * std::abs(difference[last]);
+  }
+  return std::max(from_start, from_end) / largest;
 }
 
 /// How far a locality that is computed with unit roundoff u, from coordinates up to 1, may be from the true one.
@@ -45,14 +44,18 @@ inline double locality_error(int degree, double u) {
   return 8 * gamma_over_u(4.0 * degree + 4, u) * u * std::ldexp(1.0, degree);
 }
 
-/// Whether a bound of curves that are local, and one of the others, may hold for a curve.
+/// Which bounds may hold on some axis of a curve: that of local curves, that of others. The error on all axes together
+/// is at most the sum of those that do.
 struct LocalOrNot {
-  bool may_be_local;
-  bool may_be_other;
+  bool may_be_local = false;
+  bool may_be_other = false;
+
+  /// Takes the locality of one more axis.
+  void add(double locality, int degree, double u) {
+    const double error = locality_error(degree, u);
+    may_be_local = may_be_local || !(locality > most_local + error);
+    may_be_other = may_be_other || !(locality < most_local - error);
+  }
 };
-inline LocalOrNot local_or_not(double locality, int degree, double u) {
-  const double error = locality_error(degree, u);
-  return {!(locality > most_local + error), !(locality < most_local - error)};
-}
 
 }  // namespace bezierbench

@@ -3,7 +3,7 @@
 //   N_i^n = N_i(c) by the recurrence of de Boor and Cox, N_0^0 = prod (c - a) / (c - u_j) over j = 0..n-2, else 0. For
 //   i = n-1..1, with x = u_(i-1), y = u_(i+n+1), v = (u_(i+n) - x) / (y - u_i), k = n-1..0,
 //     N_i^k = ((a - x) N_i^(k+1) + v ((c - y) N_(i+1)^k + (y - a) N_(i+1)^(k+1))) / (c - x).
-//   Points by the triangle over b_k (point_of_span.hpp).
+//   Points by the triangle over b_k (`point_of_span`).
 // Source: [Chudy and Wozny 2024] has the recurrence over one knot span, its order i = n..0, k = n..0 and its first
 //   values N_n^n, N_i^n and N_0^0. Derived here from blossoms: let M be the basis function of degree n-1 over the knots
 //   u_i..u_(i+n). The blossom f of N_i, with one argument x = u_(i-1), is (u_(i+n) - x) / (u_(i+n) - u_i) M; that of
@@ -18,8 +18,7 @@
 //   knots may overflow.
 #pragma once
 
-#include "core/bspline/basis_functions.hpp"
-#include "core/bspline/point_of_span.hpp"
+#include "core/bspline/bspline.hpp"
 
 namespace bezierbench {
 

@@ -10,7 +10,6 @@
 #pragma once
 
 #include "core/bspline/bspline.hpp"
-#include "core/bspline/knot_weights.hpp"
 
 namespace bezierbench {
 

@@ -34,6 +34,4 @@ std::span<const DerivativeKernel> derivative_kernels(int dimension) {
   return kernels_of<DerivativeKernel, MakeKernel>(DerivativeMethods{}, dimension);
 }
 
-std::span<const MethodInfo* const> derivative_infos() { return infos_of(DerivativeMethods{}); }
-
 }  // namespace bezierbench

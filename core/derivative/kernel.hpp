@@ -22,7 +22,4 @@ struct DerivativeKernel {
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const DerivativeKernel> derivative_kernels(int dimension);
 
-/// The infos of all methods, in roster order.
-std::span<const MethodInfo* const> derivative_infos();
-
 }  // namespace bezierbench

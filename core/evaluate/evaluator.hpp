@@ -36,7 +36,7 @@ struct TakenAsGiven {
 template <class E>
 concept PreparesNothing = std::is_base_of_v<TakenAsGiven<E::info.form>, E>;
 
-/// Calls `use` with the point as a function of t: of a method that chooses by curve with what it chose, so that a loop
+/// Calls `use` with the point as a function of t. A method that chooses by curve passes what it chose, so that a loop
 /// over t chooses once.
 template <class E, class Prepared, class Use>
 void with_evaluation(const Prepared& prepared, const Use& use) {

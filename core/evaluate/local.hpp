@@ -189,17 +189,19 @@ requires(Via<Converter, Method>::counts_from_start()) struct Local<Via<Converter
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Prepared<Scalar, Dimension, Degree>& prepared, Scalar t) {
-    return evaluate(prepared.from_start, prepared.from_end, t);
+    return from_nearer_end(prepared.from_start, prepared.from_end, t,
+                           [](const auto& curve, const Scalar& tau) { return Method::evaluate(curve, tau); });
   }
 
-  /// With power coefficients about the start and about the end.
-  template <class Scalar, int Dimension, int Degree>
-  static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& from_start,
-                                           const Curve<Form::power, Scalar, Dimension, Degree>& from_end, Scalar t) {
+  /// What `at` makes of the power coefficients about the nearer end and the parameter from there.
+  template <class Scalar, int Dimension, int Degree, class At>
+  static auto from_nearer_end(const Curve<Form::power, Scalar, Dimension, Degree>& from_start,
+                              const Curve<Form::power, Scalar, Dimension, Degree>& from_end, const Scalar& t,
+                              const At& at) {
     const auto x = parameter_of(t);
     const auto y = std::remove_const_t<decltype(x)>(1) - x;
     const auto near_end = y < x;
-    return Method::evaluate(chosen(near_end, from_end, from_start), Scalar(select(near_end, y, x)));
+    return at(chosen(near_end, from_end, from_start), Scalar(select(near_end, y, x)));
   }
 };
 

@@ -49,17 +49,16 @@ TYPED_TEST(LocalMethod, MeetsALineInFloat) {
 TEST(Locality, IsThatOfPowerCoefficientsAboutTheEnds) {
   // About the start 2 t + t^2, about the end -4 t + t^2: 1 + 1/4 and 2 + 1/4.
   const std::array<double, 3> quadratic{100, 101, 103};
-  const auto coordinate = [&](int /*axis*/, int i) { return quadratic[static_cast<std::size_t>(i)]; };
-  EXPECT_EQ(locality(2, 1, coordinate), 2.25 / 103);
-  EXPECT_EQ(locality(2, 1, [](int, int) { return 0.0; }), 0);
+  EXPECT_EQ(locality(2, [&](int i) { return quadratic[static_cast<std::size_t>(i)]; }), 2.25 / 103);
+  EXPECT_EQ(locality(2, [](int) { return 0.0; }), 0);
 }
 
 /// (0, 7, 0) has q = (14, -14) about both ends: k = (7 + 7/2) / 7 = 3/2. (-1, 1, -1) has k = 2 + 1, (1, 3, 1) 3/3.
-TEST(LocalOrBernstein, ChoosesByCurve) {
+TEST(LocalOrBernstein, ChoosesByAxis) {
   const auto choice = [](const std::vector<double>& coordinates) {
     Curve<Form::bernstein, double, 1> curve(static_cast<int>(coordinates.size()) - 1);
     for (std::size_t i = 0; i < coordinates.size(); ++i) curve(0, static_cast<int>(i)) = coordinates[i];
-    return LocalOrBernstein::prepare(curve).choice[0];
+    return LocalOrBernstein::prepare(curve).choice(0, 0);
   };
   EXPECT_EQ(choice({100, 101, 103}), 1);
   EXPECT_EQ(choice({0, 7, 0}), 2);

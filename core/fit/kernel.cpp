@@ -23,6 +23,4 @@ std::span<const FittingKernel> fitting_kernels(int dimension) {
   return kernels_of<FittingKernel, MakeKernel>(FittingMethods{}, dimension);
 }
 
-std::span<const MethodInfo* const> fitting_infos() { return infos_of(FittingMethods{}); }
-
 }  // namespace bezierbench

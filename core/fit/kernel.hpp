@@ -47,7 +47,4 @@ struct FittingKernel {
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const FittingKernel> fitting_kernels(int dimension);
 
-/// The infos of all methods, in roster order.
-std::span<const MethodInfo* const> fitting_infos();
-
 }  // namespace bezierbench

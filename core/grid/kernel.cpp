@@ -29,6 +29,4 @@ std::span<const GridKernel> grid_kernels(int dimension) {
   return kernels_of<GridKernel, MakeKernel>(GridMethods{}, dimension);
 }
 
-std::span<const MethodInfo* const> grid_infos() { return infos_of(GridMethods{}); }
-
 }  // namespace bezierbench

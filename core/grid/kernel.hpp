@@ -23,7 +23,4 @@ struct GridKernel {
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const GridKernel> grid_kernels(int dimension);
 
-/// The infos of all methods, in roster order.
-std::span<const MethodInfo* const> grid_infos();
-
 }  // namespace bezierbench

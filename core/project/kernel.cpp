@@ -29,6 +29,4 @@ std::span<const ProjectionKernel> projection_kernels(int dimension) {
   return kernels_of<ProjectionKernel, MakeKernel>(ProjectionMethods{}, dimension);
 }
 
-std::span<const MethodInfo* const> projection_infos() { return infos_of(ProjectionMethods{}); }
-
 }  // namespace bezierbench

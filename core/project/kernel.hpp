@@ -32,7 +32,4 @@ struct ProjectionKernel {
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const ProjectionKernel> projection_kernels(int dimension);
 
-/// The infos of all methods, in roster order.
-std::span<const MethodInfo* const> projection_infos();
-
 }  // namespace bezierbench

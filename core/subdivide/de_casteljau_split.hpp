@@ -9,7 +9,7 @@
 // Fails: does not reproduce constants; the rounding of 1-t makes small t three times worse than t near 1.
 #pragma once
 
-#include "core/subdivide/triangle_split.hpp"
+#include "core/subdivide/subdivision.hpp"
 
 namespace bezierbench {
 

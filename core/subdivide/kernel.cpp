@@ -48,6 +48,4 @@ std::span<const SplitKernel> split_kernels(int dimension) {
   return kernels_of<SplitKernel, MakeKernel>(SplitMethods{}, dimension);
 }
 
-std::span<const MethodInfo* const> split_infos() { return infos_of(SplitMethods{}); }
-
 }  // namespace bezierbench

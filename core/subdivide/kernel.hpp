@@ -28,7 +28,4 @@ constexpr int split_columns(Form form, int dimension) { return form == Form::rat
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const SplitKernel> split_kernels(int dimension);
 
-/// The infos of all methods, in roster order.
-std::span<const MethodInfo* const> split_infos();
-
 }  // namespace bezierbench

@@ -10,7 +10,7 @@
 //   overflow although the result does not.
 #pragma once
 
-#include "core/subdivide/triangle_split.hpp"
+#include "core/subdivide/subdivision.hpp"
 
 namespace bezierbench {
 

@@ -99,7 +99,7 @@ TEST_P(SplitPromise, IsKeptAndNoneIsLeftOut) {
 
 INSTANTIATE_TEST_SUITE_P(Roster, SplitPromise, testing::Range<std::size_t>(0, split_kernels(1).size()),
                          [](const auto& parameter) {
-                           const auto& method = *split_infos()[parameter.param];
+                           const auto& method = *split_kernels(1)[parameter.param].info;
                            return std::string(method.id) + "_" + std::string(name(method.form));
                          });
 

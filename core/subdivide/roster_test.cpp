@@ -5,7 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
+#include <boost/multiprecision/eigen.hpp>
 #include <set>
+#include <vector>
 
 #include "core/subdivide/split_test.hpp"
 
@@ -25,7 +28,7 @@ TEST_P(Split, StatesWhatItIs) {
   EXPECT_FALSE(info.citation.empty());
   EXPECT_FALSE(info.flops.empty());
   EXPECT_EQ(info.problem, Problem::subdivision);
-  EXPECT_EQ(&info, split_infos()[GetParam()]);
+  EXPECT_EQ(&info, split_kernels(1)[GetParam()].info);
   ASSERT_NE(kernel().bound, nullptr);
   EXPECT_THAT(std::string(info.promise), testing::EndsWith(kernel().bound->text));
 }
@@ -96,14 +99,94 @@ TEST(LerpSplit, MayMissThePointByFarMoreThanUTimesPTilde) {
 
 INSTANTIATE_TEST_SUITE_P(Roster, Split, testing::Range<std::size_t>(0, split_kernels(2).size()),
                          [](const auto& parameter) {
-                           const auto& method = *split_infos()[parameter.param];
+                           const auto& method = *split_kernels(1)[parameter.param].info;
                            return std::string(method.id) + "_" + std::string(name(method.form));
                          });
 
 TEST(SplitRoster, HasNoTwoMethodsOfOneName) {
   std::set<std::pair<std::string_view, Form>> seen;
-  for (const auto* info : split_infos()) EXPECT_TRUE(seen.emplace(info->id, info->form).second);
+  for (const auto& kernel : split_kernels(1)) EXPECT_TRUE(seen.emplace(kernel.info->id, kernel.info->form).second);
 }
 
+namespace mp = boost::multiprecision;
+using Rational = mp::number<mp::cpp_rational_backend, mp::et_off>;
+constexpr int degree = 6;
+
+/// sum c_j C(n,j) s^j (1-s)^(n-j), summed term by term.
+Rational bernstein(const std::vector<Rational>& c, const Rational& s) {
+  Rational sum = 0;
+  Rational binomial = 1;
+  const int n = static_cast<int>(c.size()) - 1;
+  for (int j = 0; j <= n; ++j) {
+    Rational term = binomial * c[static_cast<std::size_t>(j)];
+    for (int k = 0; k < n; ++k) term *= k < j ? s : Rational(1 - s);
+    sum += term;
+    binomial = binomial * (n - j) / (j + 1);
+  }
+  return sum;
+}
+
+/// The numerator and the denominator of a curve of dimension 1, as polynomials in Bernstein form.
+std::vector<Rational> numerator(const Curve<Form::bernstein, Rational, 1, degree>& curve) {
+  std::vector<Rational> c;
+  for (int i = 0; i <= degree; ++i) c.push_back(curve(0, i));
+  return c;
+}
+std::vector<Rational> denominator(const Curve<Form::bernstein, Rational, 1, degree>& /*curve*/) {
+  return std::vector<Rational>(degree + 1, 1);
+}
+std::vector<Rational> numerator(const Curve<Form::rational, Rational, 1, degree>& curve) {
+  std::vector<Rational> c;
+  for (int i = 0; i <= degree; ++i) c.push_back(curve.weights[i] * curve.points(0, i));
+  return c;
+}
+std::vector<Rational> denominator(const Curve<Form::rational, Rational, 1, degree>& curve) {
+  std::vector<Rational> c;
+  for (int i = 0; i <= degree; ++i) c.push_back(curve.weights[i]);
+  return c;
+}
+
+void set(Curve<Form::bernstein, Rational, 1, degree>& curve, int number) {
+  for (int i = 0; i <= degree; ++i)
+    curve(0, i) = Rational((7 * i * i - 11 * i * number + 3) % 17, 1 + (i + number) % 5);
+}
+void set(Curve<Form::rational, Rational, 1, degree>& curve, int number) {
+  set(curve.points, number);
+  for (int i = 0; i <= degree; ++i) curve.weights[i] = Rational(1 + (5 * i + number) % 7, 2 + i % 3);
+}
+
+/// Expects left(s) = whole(s t) and right(s) = whole(t + s (1-t)) at n + 1 places, which determine polynomials of
+/// degree n.
+void expect_halves(const std::vector<Rational>& whole, const std::vector<Rational>& left,
+                   const std::vector<Rational>& right, const Rational& t, std::string_view id) {
+  for (int k = 0; k <= degree; ++k) {
+    const Rational s(k, 3);
+    EXPECT_EQ(bernstein(left, s), bernstein(whole, s * t)) << id << " t " << t;
+    EXPECT_EQ(bernstein(right, s), bernstein(whole, t + s * (1 - t))) << id << " t " << t;
+  }
+}
+
+template <SplitMethod M>
+void expect_exact() {
+  // two of these are outside [0,1], chosen such that no weight of a half is 0
+  for (int number = 1; number <= 4; ++number)
+    for (const Rational& t : {Rational(0), Rational(1, 3), Rational(1, 2), Rational(5, 7), Rational(1),
+                              Rational(-10, 97), Rational(108, 97)}) {
+      Curve<M::info.form, Rational, 1, degree> curve(degree);
+      set(curve, number);
+      const auto halves = M::split(curve, t);
+      expect_halves(numerator(curve), numerator(halves.left), numerator(halves.right), t, M::info.id);
+      expect_halves(denominator(curve), denominator(halves.left), denominator(halves.right), t, M::info.id);
+    }
+}
+
+template <class... Ms>
+void expect_all_exact(TypeList<Ms...> /*methods*/) {
+  (expect_exact<Ms>(), ...);
+}
+
+TEST(SplitAlgebra, EveryMethodGivesTheHalvesWhenNothingRounds) { expect_all_exact(SplitMethods{}); }
+
 }  // namespace
+
 }  // namespace bezierbench

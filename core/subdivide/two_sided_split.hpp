@@ -13,7 +13,7 @@
 #pragma once
 
 #include "core/evaluate/schemes/nearer_end.hpp"
-#include "core/subdivide/triangle_split.hpp"
+#include "core/subdivide/subdivision.hpp"
 
 namespace bezierbench {
 

@@ -26,15 +26,14 @@ const bundle::CsvDocument& Side::table(const std::string& file) const {
   return found == tables.end() ? none : found->second;
 }
 
-Side read_side(const std::filesystem::path& path, bundle::Damage damage) {
-  bundle::CheckedReader reader(path, damage);
+Side read_side(const std::filesystem::path& path) {
+  const bundle::CheckedReader reader(path);
   Side side{.name = path.string(), .manifest = reader.manifest()};
   for (const auto file : {std::string_view("machine.json"), bundle::manifest_name})
     std::ranges::move(bundle::facts(reader.read(file), reader.place(file)), std::back_inserter(side.facts));
   for (const auto& table : bundle::declared_tables())
     if ((table.is_deterministic || table.file == timing_file) && reader.has(table.file))
       side.tables.emplace(table.file, bundle::parse_csv(reader.read(table.file), reader.place(table.file)));
-  side.damaged = reader.told();
   return side;
 }
 

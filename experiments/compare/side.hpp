@@ -10,7 +10,7 @@
 
 #include "experiments/bundle/check/checked_reader.hpp"
 #include "experiments/bundle/csv.hpp"
-#include "experiments/bundle/facts.hpp"
+#include "experiments/bundle/json_object.hpp"
 #include "experiments/bundle/manifest.hpp"
 
 namespace bezierbench::compare {
@@ -23,7 +23,6 @@ struct Side {
   bundle::Manifest manifest = {};
   std::vector<bundle::Fact> facts = {};                    ///< those of machine.json, then those of bundle.json
   std::map<std::string, bundle::CsvDocument> tables = {};  ///< timing.csv and the deterministic tables, by file name
-  std::vector<std::string> damaged = {};                   ///< files that differ from their line in SHA256SUMS
 
   /// The value of the fact `fact_name`; `unknown` where the bundle does not have it.
   [[nodiscard]] std::string fact(std::string_view fact_name) const;
@@ -32,8 +31,8 @@ struct Side {
 };
 
 /// Reads the bundle in `path`. Throws Failure(Exit::input_output) where `path` is not a bundle, where a file cannot be
-/// parsed, and, if damage is to be refused, where a file differs from its checksum.
-[[nodiscard]] Side read_side(const std::filesystem::path& path, bundle::Damage damage = bundle::Damage::refused);
+/// parsed or differs from its checksum.
+[[nodiscard]] Side read_side(const std::filesystem::path& path);
 
 /// A fact with different values on the two sides; the value is `unknown` where a side does not have the fact.
 struct FactDifference {

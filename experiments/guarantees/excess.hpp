@@ -3,14 +3,56 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "core/evaluate/guarantee.hpp"
-#include "experiments/guarantees/evaluation.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
+#include "experiments/judge/workspace.hpp"
 
 namespace bezierbench::guarantees {
+
+// A method as the statements see it: points of curves, from the kernel that is timed.
+
+inline constexpr int most_axes = 3;
+
+/// Coordinates of a point; those past the dimension are 0.
+template <class Scalar>
+using Values = std::array<Scalar, most_axes>;
+
+template <class Scalar>
+class Evaluation {
+ public:
+  explicit Evaluation(const Kernel<Scalar>& kernel) : kernel_(kernel) {}
+
+  /// The points at all `t` of the curve with these control points, which is prepared once.
+  template <std::size_t Count>
+  std::array<Values<Scalar>, Count> points(const std::vector<Scalar>& coefficients,
+                                           const std::array<Scalar, Count>& t) {
+    const int degree = static_cast<int>(coefficients.size()) / kernel_.dimension - 1;
+    void* prepared = storage_.reserve(kernel_.prepared_size);
+    kernel_.prepare({Form::bernstein, kernel_.dimension, degree, coefficients}, prepared);
+    std::array<Scalar, Count * most_axes> flat;
+    kernel_.evaluate_for(degree)(prepared, t, flat.data());
+    if (kernel_.destroy != nullptr) kernel_.destroy(prepared);
+    std::array<Values<Scalar>, Count> points{};
+    const auto d = static_cast<std::size_t>(kernel_.dimension);
+    for (std::size_t k = 0; k < Count; ++k)
+      for (std::size_t axis = 0; axis < d; ++axis) points[k][axis] = flat[k * d + axis];
+    return points;
+  }
+  Values<Scalar> point(const std::vector<Scalar>& coefficients, Scalar t) {
+    return points(coefficients, std::array{t})[0];
+  }
+
+ private:
+  const Kernel<Scalar>& kernel_;
+  judge::PreparedStorage storage_;
+};
 
 /// Above 0 where the input breaks the property; else minus a distance from that. Empty where the statement is not about
 /// the input. Values that are infinite or NaN count against `finite` and `total` alone: no other statement is about them.

@@ -110,7 +110,7 @@ ClassBound class_bound(const ErrorBound& bound, const CurveClass& of, const refe
   const double coordinate = (result + at_degree.factor * largest_amplification(bound.amplification, of)) * u + lost;
   const double in_u = bound.result_roundings + at_degree.factor * largest_quotient(bound.amplification, of) +
                       lost / u / min_p_tilde(of, arithmetic);
-  return {std::max(coordinate, of_local.coordinate), std::max(in_u, of_local.in_u)};
+  return {coordinate + of_local.coordinate, in_u + of_local.in_u};  // on different axes
 }
 
 }  // namespace bezierbench::metric

@@ -114,7 +114,7 @@ const Source& with_machine(const std::vector<Source>& sources, const Jobs& jobs)
 
 /// The files of a complete bundle, as they were written.
 WholeBundle copy_of(const Source& source) {
-  bundle::CheckedReader reader(source.path(), bundle::Damage::refused);
+  const bundle::CheckedReader reader(source.path());
   const std::string digests = reader.read(bundle::digests_name);
   if (bundle::sha256_hex(digests) != source.folder.manifest().accuracy_digest)
     refuse(source.path(), "is complete, but its accuracy digest is that of other files; see bezierbench verify");

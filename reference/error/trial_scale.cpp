@@ -24,7 +24,6 @@ void TrialScale::begin(const CurveView<double>& curve, double t) {
   norms_.clear();
   amplified_.fill(std::nullopt);
   reach_.reset();
-  locality_.reset();
 }
 
 void TrialScale::set(const CurveView<double>& curve, double t) {
@@ -161,12 +160,12 @@ double TrialScale::bound_of_kind(const BoundAtDegree& at_degree, const Arithmeti
 double TrialScale::bound(const BoundAtDegree& at_degree, const Arithmetic& arithmetic, std::optional<double> length) {
   const ErrorBound* const of_local = at_degree.bound.of_local;
   if (of_local == nullptr) return bound_of_kind(at_degree, arithmetic, length);
-  if (!locality_) locality_ = locality(degree(), dimension_, [this](int axis, int i) { return curve_(axis, i); });
-  const auto kind = local_or_not(*locality_, degree(), arithmetic.unit_roundoff);
-  const double other = kind.may_be_other ? bound_of_kind(at_degree, arithmetic, length) : 0;
-  const double local =
-      kind.may_be_local ? bound_of_kind(BoundAtDegree(*of_local, degree(), arithmetic), arithmetic, length) : 0;
-  return std::max(local, other);
+  LocalOrNot kinds;
+  for (int axis = 0; axis < dimension_; ++axis)
+    kinds.add(locality(degree(), [&](int i) { return curve_(axis, i); }), degree(), arithmetic.unit_roundoff);
+  double sum = kinds.may_be_other ? bound_of_kind(at_degree, arithmetic, length) : 0;
+  if (kinds.may_be_local) sum += bound_of_kind(BoundAtDegree(*of_local, degree(), arithmetic), arithmetic, length);
+  return sum;
 }
 
 std::optional<BoundCheck> TrialScale::check(double error, const BoundAtDegree& at_degree, const Arithmetic& arithmetic,

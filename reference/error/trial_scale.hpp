@@ -123,8 +123,7 @@ class TrialScale {
   Weights weights_;
   ExactCurve exact_;
   Amplifications amplified_;
-  std::optional<double> reach_;     ///< (|t| + |1 - t|)^n
-  std::optional<double> locality_;  ///< core/bound/locality.hpp
+  std::optional<double> reach_;  ///< (|t| + |1 - t|)^n
 };
 
 }  // namespace bezierbench::reference

@@ -186,8 +186,11 @@ def factorial_overflow(bundle):
         f"{overflow}! is the first factorial that no double holds; {stated}.", rows=(*rows, *limits))
 
 
-@finding(about="conclusion", claim="For Bézier curves de Casteljau is always more accurate than conversion to power form.",
-         place="sections 2.3.2 and 2.3.3, after the first table of each")
+POWER_WORSE = dict(claim="For Bézier curves de Casteljau is always more accurate than conversion to power form.",
+                   place="sections 2.3.2 and 2.3.3, after the first table of each")
+
+
+@finding(about="conclusion", **POWER_WORSE)
 def via_power_worse(bundle):
     """Holds where de Casteljau errs less in every printed cell, against the yardstick and against the exact value."""
     cells = grouped((r for r in accuracy_cells(bundle) if r["form"] == "bernstein"), "statistic", "degree", "coordinate_range", "interval").values()

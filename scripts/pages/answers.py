@@ -1,20 +1,24 @@
 # SPDX-License-Identifier: MIT
-"""Which method for which need: the table at the top of README.md, decided by the rows of results/answers.
+"""Which method for which need: the table at the top of README.md, decided by the rows of results/real and results/answers.
 
-A method is a candidate for a need where the bundle has its errors and its times at every degree of DEGREES. What the need demands
+A method is a candidate for a need where its bundle has its errors and its times at every degree of the need. What the need demands
 is a predicate over its rows; of the candidates that meet it at every degree, the fastest has the smallest product of times. Those whose
 intervals overlap with its own at every degree are tied with it, and the winner is the one among them with the smallest proved bound.
 """
 import math
 import textwrap
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Callable
 
 from report.answer import ROUNDOFF, SMALL, is_proved_small
+from report.findings import real_curves
+from report.inputs import ONE_SET
+from report.rows import distinct, fits
 from report.wording import general, interval, large, listing, scientific, shortest
 from scripts.pages.markdown import WIDTH, table
 
-DEGREES = (3, 12, 30)
+DEGREES = (2, 3, 5, 12, 30)  # of those the bundle has rows of
+MISROUNDED = 0.1  # a share of coordinates that a fast method may misround on real curves
 AXES = 2  # of the curves of the table
 NOISY = "~"
 MICROSECOND = 1000  # in nanoseconds
@@ -32,6 +36,8 @@ class Need:
     meets: Callable  # whether a row of the errors meets the demand
     error: Callable  # the text of the largest error, from the rows of one degree
     mode: str = "point"
+    scalar: str = "double"
+    rows: dict = field(default_factory=dict)  # values that the rows of the errors have
 
 
 def number(row, column):
@@ -56,6 +62,27 @@ def in_ulp(rows):
     return f"{general(max(number(row, 'max_error_ulp') for row in rows), 2)} ulp"
 
 
+def in_share(rows):
+    return f"{real_curves.share(max(number(row, 'misrounded') for row in rows))} misrounded"
+
+
+def nearest_in(share):
+    """Whether at most such a share of coordinates is misrounded, and no bound is broken."""
+    return lambda row: done(row) and not row["bound_violations"] and number(row, "misrounded") <= share
+
+
+def on_sets(name, text, share, scalar, mode="point"):
+    """A need of real curves, outlines in the plane; every set and placement has to meet it."""
+    return Need(name, text, "accuracy.csv", ("real-sets",), "real-time", nearest_in(share), in_share, mode, scalar,
+                {"form": "bernstein", "dimension": AXES})
+
+
+REAL = (
+    on_sets("Real curves, float", f"at most {100 * MISROUNDED:g} % of the coordinates are not the nearest number, on every set", MISROUNDED, "float"),
+    on_sets("Real curves, float, none misrounded", "on no set, in any trial", 0, "float"),
+    on_sets("Many t on one real curve, float", "the same share, in batches", MISROUNDED, "float", "batch"),
+    on_sets("Real curves, double", "the same share", MISROUNDED, "double"),
+)
 PROVED = f"bound proved, at most {SMALL}n u p~"
 NEEDS = (
     Need("Fast and safe, t in [0, 1]", PROVED, "accuracy.csv", ("answers-bezier",), "answers-bezier-time", bounded, in_u),
@@ -63,13 +90,13 @@ NEEDS = (
          "answers-bezier-time", lambda row: bounded(row) and number(row, "bound_u") <= 2, in_u),
     Need("Always correctly rounded", "no error above 1/2 ulp, even beside a multiple root", "accuracy.csv", ("answers-root",),
          "answers-bezier-time", lambda row: done(row) and number(row, "max_error_ulp") <= 0.5, in_ulp),
-    Need("Many t on one curve", "as the first, in batches", "accuracy.csv", ("answers-bezier",), "answers-bezier-time", bounded, in_u,
+    Need("Many t on one curve", f"{PROVED}, in batches", "accuracy.csv", ("answers-bezier",), "answers-bezier-time", bounded, in_u,
          mode="batch"),
-    Need("Far outside [0, 1]", "as the first, for t in {interval}", "accuracy.csv", ("answers-outside",), "answers-outside-time",
+    Need("Far outside [0, 1]", PROVED + ", for t in {interval}", "accuracy.csv", ("answers-outside",), "answers-outside-time",
          bounded, in_u),
     Need("Rational curve", f"bound proved, at most {2 * SMALL}n u p~", "accuracy.csv", ("answers-rational",),
          "answers-rational-time", bounded, in_u),
-    Need("Data in power form", "as the first", "accuracy.csv", ("answers-power",), "answers-power-time", bounded, in_u),
+    Need("Data in power form", PROVED, "accuracy.csv", ("answers-power",), "answers-power-time", bounded, in_u),
     Need("Arc length", "the tolerance of {tolerance} kept in every trial", "arc_length.csv", ("answers-length",), "answers-length-time",
          lambda row: done(row) and not row["non_converged"] and not row["broken_promises"]
          and number(row, "max_relative") <= row["tolerance"],
@@ -80,23 +107,36 @@ NEEDS = (
 )
 
 
+def rows_of(bundle, need):
+    """The rows of the errors that a need is about, at degrees of DEGREES; of sets those of enough trials."""
+    judged = real_curves.judged(bundle) if need in REAL else bundle[need.table].rows if need.table == "projection.csv" else bundle.judged(need.table).rows
+    return [row for row in judged if fits(row, {"study": need.studies, "scalar": need.scalar, "degree": DEGREES, **need.rows})]
+
+
+def degrees(bundle, need):
+    """Those of DEGREES at which the bundle has errors and times of a need, ascending."""
+    timed = {row["degree"] for row in bundle["timing.csv"].select(study=need.times, mode=need.mode, scalar=need.scalar)}
+    return tuple(sorted(timed.intersection(distinct(rows_of(bundle, need), "degree"))))
+
+
 def errors_of(bundle, need):
-    """{method: {degree: rows of its errors}}, of methods that are judged in every study of the need at every degree."""
-    judged = bundle.judged(need.table) if need.table != "projection.csv" else bundle[need.table]
-    rows = judged.select(study=need.studies, scalar="double")
-    found = {}
-    for row in rows:
+    """{method: {degree: rows of its errors}}, of methods that are judged in every study and on every set of the need at every degree."""
+    def cell(row):
+        return row["study"], *(row[column] for column in ONE_SET)
+    found, cells = {}, {}
+    for row in rows_of(bundle, need):
         found.setdefault(row["method"], {}).setdefault(row["degree"], []).append(row)
-    return {method: by_degree for method, by_degree in found.items()
-            if all({row["study"] for row in by_degree.get(degree, ())} == set(need.studies) for degree in DEGREES)}
+        cells.setdefault(row["degree"], set()).add(cell(row))
+    at = degrees(bundle, need)
+    return {method: by_degree for method, by_degree in found.items() if all(set(map(cell, by_degree.get(degree, ()))) == cells[degree] for degree in at)}
 
 
 def times_of(bundle, need):
     """{method: {degree: row of its time}}"""
-    found = {}
-    for row in bundle["timing.csv"].select(study=need.times, mode=need.mode, scalar="double", degree=DEGREES):
+    found, wanted = {}, degrees(bundle, need)
+    for row in bundle["timing.csv"].select(study=need.times, mode=need.mode, scalar=need.scalar, degree=wanted):
         found.setdefault(row["method"], {})[row["degree"]] = row
-    return {method: rows for method, rows in found.items() if len(rows) == len(DEGREES)}
+    return {method: rows for method, rows in found.items() if len(rows) == len(wanted)}
 
 
 @dataclass(frozen=True)
@@ -120,14 +160,13 @@ def overlap(one, other):
 
 def winner(bundle, need):
     """The Found of a need; None where no method meets the demand."""
-    errors, times = errors_of(bundle, need), times_of(bundle, need)
-    meeting = [method for method in errors if method in times
-               and all(need.meets(row) for degree in DEGREES for row in errors[method][degree])]
+    errors, times, at = errors_of(bundle, need), times_of(bundle, need), degrees(bundle, need)
+    meeting = [method for method in errors if at and method in times and all(need.meets(row) for degree in at for row in errors[method][degree])]
     if not meeting:
         return None
-    by_time = sorted(meeting, key=lambda method: product((times[method][degree] for degree in DEGREES), "median_ns"))
-    tied = [method for method in by_time if all(overlap(times[method][degree], times[by_time[0]][degree]) for degree in DEGREES)]
-    best = min(tied, key=lambda method: product((row for degree in DEGREES for row in errors[method][degree]), "bound_u"))
+    by_time = sorted(meeting, key=lambda method: product((times[method][degree] for degree in at), "median_ns"))
+    tied = [method for method in by_time if all(overlap(times[method][degree], times[by_time[0]][degree]) for degree in at)]
+    best = min(tied, key=lambda method: product((row for degree in at for row in errors[method][degree]), "bound_u"))
     return Found(best, errors[best], times[best], tuple(method for method in tied if method != best))
 
 
@@ -137,15 +176,10 @@ def time_text(row):
     return text if row["quality"] == "ok" else f"{text} {NOISY}"
 
 
-def asked(bundle, need):
-    """The rows of the errors of a need at the degrees of the table."""
-    return bundle[need.table].select(study=need.studies, degree=DEGREES, scalar="double")
-
-
 def demand(bundle, need):
     """What a need demands, with the numbers of its rows."""
     said = {}
-    for row in asked(bundle, need):
+    for row in rows_of(bundle, need):
         said.setdefault("{interval}", set()).add(interval(row["t_min"], row["t_max"]))
         said.setdefault("{tolerance}", set()).add(shortest(row["tolerance"]))
     text = need.demand
@@ -156,7 +190,7 @@ def demand(bundle, need):
 
 def trials(bundle):
     """A sentence: how many curves the errors of each need are the largest of."""
-    least = {need.name: min((row["trials"] for row in asked(bundle, need)), default=0) for need in NEEDS}
+    least = {need.name: min((row["trials"] for row in rows_of(bundle, need)), default=0) for need in NEEDS}
     usual = max(least.values())
     fewer = ", ".join(f"{name.lower()} {large(number)}" for name, number in least.items() if number < usual)
     return f"Errors are the largest of {large(usual)} random curves{f' ({fewer})' if fewer else ''} for each cell, against the **exact** value."
@@ -172,18 +206,31 @@ def units():
             "points for one answer from the control points. Methods in parentheses are as fast, as far as the intervals of the times tell.")
 
 
-def line(bundle, need):
-    found = winner(bundle, need)
+def trials_on_sets(real):
+    """A sentence: which sets a share is the largest of."""
+    sets = {}
+    for row in (row for need in REAL for row in rows_of(real, need)):
+        sets.setdefault(row["curves"], {})[row["degree"], row["generator"]] = row["trials"]
+    listed = listing(f"{name} ({large(sum(trials.values()))} points)" for name, trials in sets.items())
+    return (f"Real curves: the largest share on a set, of {listed}, with curves as they are stored and translated on a page; times are of curves "
+            "50 times their size away from the origin.")
+
+
+def line(bundle, need, columns):
+    found, at = winner(bundle, need), degrees(bundle, need)
     what = f"**{need.name}**: {demand(bundle, need)}"
     if found is None:
-        return [what, "none", *("" for _ in DEGREES)]
-    shown = {degree: [row for row in found.errors[degree] if row["study"] == need.studies[0]] for degree in DEGREES}
+        return [what, "none", *("" for _ in columns)]
+    shown = {degree: [row for row in found.errors[degree] if row["study"] == need.studies[0]] for degree in at}
     tied = f" ({listing(f'`{method}`' for method in found.tied)})" if found.tied else ""
-    return [what, f"`{found.method}`{tied}", *(f"{need.error(shown[degree])}, {time_text(found.times[degree])}" for degree in DEGREES)]
+    return [what, f"`{found.method}`{tied}",
+            *(f"{need.error(shown[degree])}, {time_text(found.times[degree])}" if degree in at else "" for degree in columns)]
 
 
-def answers(bundle):
-    """The table, and what its numbers are."""
-    head = ["need", "method", *(f"n = {shortest(float(degree))}" for degree in DEGREES)]
-    return "\n\n".join([table(head, [line(bundle, need) for need in NEEDS]), textwrap.fill(trials(bundle), WIDTH),
-                        textwrap.fill(units(), WIDTH)])
+def answers(bundle, real=None):
+    """The table, and what its numbers are: real curves first, where there is a bundle of them."""
+    asked = [(real, need) for need in REAL if real] + [(bundle, need) for need in NEEDS]
+    columns = sorted({degree for one, need in asked for degree in degrees(one, need)})
+    head = ["need", "method", *(f"n = {shortest(degree)}" for degree in columns)]
+    said = [*([trials_on_sets(real)] if real else []), trials(bundle), units()]
+    return "\n\n".join([table(head, [line(one, need, columns) for one, need in asked]), *(textwrap.fill(text, WIDTH) for text in said)])

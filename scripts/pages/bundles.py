@@ -21,9 +21,15 @@ RESULTS = ROOT / "results"
 BASELINE = RESULTS / "baseline"
 OTHER_BUILD = RESULTS / "clang"
 ANSWERS = RESULTS / "answers"
+REAL = RESULTS / "real"
 TIMES = "2.4"  # the table of the report that prints times
 SAID = {"inside": "inside the band of our repetitions", "edge": "on its edge, within the error of that edge",
         "explained": "outside it for a stated cause"}
+
+
+def real():
+    """The bundle of real curves; None where there is none yet."""
+    return Bundle(REAL) if REAL.exists() else None
 
 
 def scorecard(_page):

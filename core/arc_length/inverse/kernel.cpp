@@ -36,6 +36,4 @@ std::span<const InverseArcLengthKernel> inverse_arc_length_kernels(int dimension
   return kernels_of<InverseArcLengthKernel, MakeKernel>(InverseArcLengthMethods{}, dimension);
 }
 
-std::span<const MethodInfo* const> inverse_arc_length_infos() { return infos_of(InverseArcLengthMethods{}); }
-
 }  // namespace bezierbench

@@ -33,7 +33,4 @@ struct InverseArcLengthKernel {
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const InverseArcLengthKernel> inverse_arc_length_kernels(int dimension);
 
-/// The infos of all methods, in roster order.
-std::span<const MethodInfo* const> inverse_arc_length_infos();
-
 }  // namespace bezierbench

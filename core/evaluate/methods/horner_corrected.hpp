@@ -28,19 +28,34 @@ struct HornerCorrected : TakenAsGiven<Form::power> {
                                    .flops = "d(n+3) fma + 3d",
                                    .citation = "[Boldo and Muller 2011], the error of a fused multiply-add"};
 
+  /// The point as horner_fma has it, and the correction that is added to it.
+  template <class Scalar, int Dimension>
+  struct Parts {
+    Point<Scalar, Dimension> plain;
+    Point<Scalar, Dimension> correction;
+  };
   template <class Scalar, int Dimension, int Degree>
-  static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {
+  static Parts<Scalar, Dimension> parts_at(const Curve<Form::power, Scalar, Dimension, Degree>& curve,
+                                           const Scalar& t) {
     const int n = curve.degree();
     Point<Scalar, Dimension> p;
     for (int axis = 0; axis < Dimension; ++axis) p[axis] = curve(axis, n);
     for (int j = n - 1; j > 1; --j)
       for (int axis = 0; axis < Dimension; ++axis) p[axis] = fused<Scalar>(p[axis], t, curve(axis, j));
-    if (n == 0) return p;
+    Point<Scalar, Dimension> correction;
     for (int axis = 0; axis < Dimension; ++axis) {
       const Scalar inner = n > 1 ? add_to(curve(axis, 1), t, p[axis]) : Scalar(0);
-      const Scalar outer = add_to(curve(axis, 0), t, p[axis]);
-      p[axis] = p[axis] + fused<Scalar>(inner, t, outer);
+      const Scalar outer = n > 0 ? add_to(curve(axis, 0), t, p[axis]) : Scalar(0);
+      correction[axis] = fused<Scalar>(inner, t, outer);
     }
+    return {p, correction};
+  }
+
+  template <class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {
+    const auto [plain, correction] = parts_at(curve, t);
+    Point<Scalar, Dimension> p;
+    for (int axis = 0; axis < Dimension; ++axis) p[axis] = plain[axis] + correction[axis];
     return p;
   }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Formula: with q_j the power coefficients about either end and k the largest sum_(j>0) |q_j| 2^-j / max|b_i| over both
-//   ends and all axes: for k <= 1/2 local:differences:horner_fma, for k <= 2 local:differences:horner_corrected, else
+// Formula: on each axis, with q_j the power coefficients about either end and k the larger sum_(j>0) |q_j| 2^-j /
+//   max|b_i|: for k <= 1/2 local:differences:horner_fma, for k <= 2 local:differences:horner_corrected, else
 //   horner_bernstein_fma. About an end, power form multiplies numbers that are hardly larger than the result.
 // Source: [Farin 2002], nested multiplication; the choice is derived here.
 // Cost: dn fused multiply-adds and a sum per point; d (n + 3) and 3d + 1; or that of horner_bernstein_fma.
 // Bound: that of the method that is chosen. docs/proofs/local.md has the proof.
 // Keeps: docs/proofs/local.md.
-// Fails: as horner_bernstein_fma, where k > 2. Its differences take O(n^2) to prepare.
+// Fails: as horner_bernstein_fma, where k > 2. Its differences take O(n^2) to prepare. Where axes are chosen for
+//   differently, all that is chosen is evaluated.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +42,7 @@ struct LocalOrBernstein {
       .result_roundings = Corrected::info.bound->result_roundings};
   static constexpr MethodInfo info{
       .id = "local_or_bernstein",
-      .label = "About the nearer end, or Horner-Bernstein, fused: by curve",
+      .label = "About the nearer end, or Horner-Bernstein, fused: by axis",
       .form = Form::bernstein,
       .max_degree = Plain::info.max_degree,
       .max_degree_float = Plain::info.max_degree_float,
@@ -57,17 +58,17 @@ struct LocalOrBernstein {
       .prepare_exponent = 2,
       .citation = "[Farin 2002], nested multiplication, with fused steps; bound derived here"};
 
-  static constexpr std::array guarantees{Guarantee{Property::ends_exact}, Guarantee{Property::constant_reproduced},
-                                         Guarantee{Property::in_hull, 1}, Guarantee{Property::finite, 1},
-                                         Guarantee{Property::total}};
+  static constexpr std::array guarantees{
+      Guarantee{Property::ends_exact}, Guarantee{Property::constant_reproduced}, Guarantee{Property::in_hull, 1},
+      Guarantee{Property::finite, 1},  Guarantee{Property::axes_independent},    Guarantee{Property::total}};
 
-  /// The power coefficients about either end; where the curve is not local, C(n,i) b_i in place of those about b_0. All
-  /// of `choice` is 2 where power form is corrected, 1 where it is plain, else 0.
+  /// The power coefficients about either end; on an axis that is not local, C(n,i) b_i in place of those about b_0. All
+  /// of `choice` is 2 on an axis where power form is corrected, 1 where it is plain, else 0.
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::power, Scalar, Dimension, Degree> from_start;
     Curve<Form::power, Scalar, Dimension, Degree> from_end;
-    PreparedRow<Scalar, Degree> choice;
+    Curve<Form::power, Scalar, Dimension, Degree> choice;
 
     [[nodiscard]] auto parts() const { return std::tie(from_start, from_end, choice); }
   };
@@ -76,13 +77,16 @@ struct LocalOrBernstein {
   static auto prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
     auto [from_start, from_end] = Plain::prepare(curve);
     const auto scaled = HornerBernstein::prepare(curve).scaled;
-    const auto is_local = is_within(Scalar(1) / Scalar(2), curve, from_start, from_end);
-    const auto is_plain = is_within(Scalar(2), curve, from_start, from_end);
-    auto choice = per_coefficient<Scalar, Degree>(curve.degree());
-    for (int i = 0; i <= curve.degree(); ++i) {
-      choice[i] = select(is_plain, Scalar(1), select(is_local, Scalar(2), Scalar(0)));
-      for (int axis = 0; axis < Dimension; ++axis)
+    Curve<Form::power, Scalar, Dimension, Degree> choice(curve.degree());
+    for (int axis = 0; axis < Dimension; ++axis) {
+      const Scalar half = Scalar(1) / Scalar(2);
+      const auto [size, largest] = sizes(curve, from_start, from_end, axis);
+      const auto is_local = half * size <= largest;  // false where the size overflows
+      const Scalar chosen = select(size + size <= largest, Scalar(1), select(is_local, Scalar(2), Scalar(0)));
+      for (int i = 0; i <= curve.degree(); ++i) {
+        choice(axis, i) = chosen;
         from_start(axis, i) = select(is_local, from_start(axis, i), scaled(axis, i));
+      }
     }
     return Prepared<Scalar, Dimension, Degree>{from_start, from_end, choice};
   }
@@ -90,26 +94,48 @@ struct LocalOrBernstein {
   /// Calls `use` with what was chosen for the curve, a function of t.
   template <class Scalar, int Dimension, int Degree, class Use>
   static auto with_chosen(const Prepared<Scalar, Dimension, Degree>& prepared, const Use& use) {
-    const auto choice = parameter_of(prepared.choice[0]);
-    using Choice = std::remove_const_t<decltype(choice)>;
-    const auto is_local = Choice(1) <= choice;
-    const auto is_corrected = Choice(2) <= choice;
-    const auto plain = [&](const Scalar& t) { return Plain::evaluate(prepared.from_start, prepared.from_end, t); };
-    const auto corrected = [&](const Scalar& t) {
-      return Corrected::evaluate(prepared.from_start, prepared.from_end, t);
+    using Mask = decltype(Scalar() <= Scalar());
+    std::array<Mask, Dimension> is_local;
+    std::array<Mask, Dimension> is_corrected;
+    bool all_local = true;
+    bool any_local = false;
+    bool any_corrected = false;
+    for (std::size_t axis = 0; axis < Dimension; ++axis) {
+      const Scalar choice = prepared.choice(static_cast<int>(axis), 0);
+      is_local[axis] = Scalar(1) <= choice;
+      is_corrected[axis] = Scalar(2) <= choice;
+      all_local = all_local && all_of(is_local[axis]);
+      any_local = any_local || any_of(is_local[axis]);
+      any_corrected = any_corrected || any_of(is_corrected[axis]);
+    }
+    const auto about_end = [&prepared](const Scalar& t, const auto& at) {
+      return Plain::from_nearer_end(prepared.from_start, prepared.from_end, t, at);
     };
-    const auto bernstein = [&](const Scalar& t) {
+    const auto plain = [=](const Scalar& t) {
+      return about_end(t, [](const auto& curve, const Scalar& tau) { return HornerFma::evaluate(curve, tau); });
+    };
+    const auto local = [=](const Scalar& t) {
+      auto [p, correction] =
+          about_end(t, [](const auto& curve, const Scalar& tau) { return HornerCorrected::parts_at(curve, tau); });
+      for (std::size_t k = 0; k < Dimension; ++k) {
+        const auto axis = static_cast<int>(k);
+        p[axis] = select(is_corrected[k], p[axis] + correction[axis], p[axis]);
+      }
+      return p;
+    };
+    const auto bernstein = [&prepared](const Scalar& t) {
       return HornerBernsteinFma::nested<Scalar, Dimension>(prepared.from_start, t);
     };
-    if (!any_of(is_local)) return use(bernstein);
-    if (all_of(is_corrected)) return use(corrected);
-    if (all_of(is_local) && !any_of(is_corrected)) return use(plain);
-    return use([&](const Scalar& t) {  // one for each curve of a group
+    if (!any_local) return use(bernstein);
+    if (all_local && !any_corrected) return use(plain);
+    if (all_local) return use(local);
+    return use([=](const Scalar& t) {
       auto p = bernstein(t);
-      const auto q = plain(t);
-      const auto r = corrected(t);
-      for (int axis = 0; axis < Dimension; ++axis)
-        p[axis] = select(is_corrected, r[axis], select(is_local, q[axis], p[axis]));
+      const auto q = local(t);
+      for (std::size_t k = 0; k < Dimension; ++k) {
+        const auto axis = static_cast<int>(k);
+        p[axis] = select(is_local[k], q[axis], p[axis]);
+      }
       return p;
     });
   }
@@ -120,27 +146,28 @@ struct LocalOrBernstein {
   }
 
  private:
-  /// Whether factor k is at most 1, as computed; false where this overflows.
+  /// The larger sum_(j>0) |q_j| 2^-j of the two ends, and max|b_i|.
+  template <class Scalar>
+  struct Sizes {
+    Scalar coefficients;
+    Scalar points;
+  };
   template <class Scalar, int Dimension, int Degree>
-  static auto is_within(const Scalar& factor, const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve,
-                        const Curve<Form::power, Scalar, Dimension, Degree>& from_start,
-                        const Curve<Form::power, Scalar, Dimension, Degree>& from_end) {
+  static Sizes<Scalar> sizes(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve,
+                             const Curve<Form::power, Scalar, Dimension, Degree>& from_start,
+                             const Curve<Form::power, Scalar, Dimension, Degree>& from_end, int axis) {
     using std::abs;
+    const auto larger = [](const Scalar& a, const Scalar& b) { return select(a < b, b, a); };
     const Scalar half = Scalar(1) / Scalar(2);
-    auto within = Scalar(0) <= Scalar(0);
-    for (int axis = 0; axis < Dimension; ++axis) {
-      Scalar largest = abs(curve(axis, 0));
-      Scalar start(0);
-      Scalar end(0);
-      for (int j = curve.degree(); j > 0; --j) {
-        const Scalar size = abs(curve(axis, j));
-        largest = select(largest < size, size, largest);
-        start = half * (start + abs(from_start(axis, j)));
-        end = half * (end + abs(from_end(axis, j)));
-      }
-      within = both(within, both(factor * start <= largest, factor * end <= largest));
+    Scalar largest = abs(curve(axis, 0));
+    Scalar start(0);
+    Scalar end(0);
+    for (int j = curve.degree(); j > 0; --j) {
+      largest = larger(largest, abs(curve(axis, j)));
+      start = half * (start + abs(from_start(axis, j)));
+      end = half * (end + abs(from_end(axis, j)));
     }
-    return within;
+    return {larger(start, end), largest};
   }
 };
 

@@ -16,7 +16,7 @@
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/curve_sets.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
-#include "experiments/cli/startup/suites_folder.hpp"
+#include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/race/race.hpp"
@@ -154,7 +154,7 @@ void compare_times(const CheckOptions& options, const fs::path& program, const f
 }
 
 Suites suites_of_bundle(const fs::path& path) {
-  bundle::CheckedReader reader(path, bundle::Damage::refused);
+  const bundle::CheckedReader reader(path);
   constexpr const char* file = "suite.toml";
   auto suites = suite::parse_suites(reader.read(file), reader.place(file), vocabulary_of_all_builds());
   load_curves(suites);

@@ -115,7 +115,7 @@ bundle::CsvDocument timed(const fs::path& program, const TimedPrograms& programs
   const auto out = programs.scratch / "times";
   fs::remove_all(out);
   run_suite(program, programs.suite, out);
-  bundle::CheckedReader reader(out, bundle::Damage::refused);
+  const bundle::CheckedReader reader(out);
   return bundle::parse_csv(reader.read(compare::timing_file), reader.place(compare::timing_file));
 }
 

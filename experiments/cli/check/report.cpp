@@ -52,7 +52,7 @@ struct Errors {
 
 Errors errors_of(const std::string& method, const std::filesystem::path& bundle) {
   Errors errors;
-  bundle::CheckedReader reader(bundle, bundle::Damage::refused);
+  const bundle::CheckedReader reader(bundle);
   for (const auto& declared : bundle::declared_tables()) {
     if (declared.method.empty() || declared.column("status") == nullptr || !reader.has(declared.file)) continue;
     const auto table = bundle::parse_csv(reader.read(declared.file), reader.place(declared.file));

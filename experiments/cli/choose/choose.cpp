@@ -12,14 +12,13 @@
 #include <optional>
 #include <utility>
 
+#include "experiments/bundle/check/checked_reader.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/choose/choose_on_curves.hpp"
 #include "experiments/cli/choose/class_choice.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/curve_sets.hpp"
-#include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
-#include "experiments/cli/terminal/fitted.hpp"
 #include "experiments/cli/terminal/shell_word.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/metric/pareto.hpp"
@@ -53,7 +52,6 @@ struct Wish {
   std::string study;
   std::string accuracy_study;
   std::string format = "text";
-  bool use_damaged = false;
 
   [[nodiscard]] const tables::LargestError& error_of(const Choice& choice) const {
     return unit == "u" ? choice.errors.in_u : choice.errors.absolute;
@@ -66,7 +64,6 @@ struct Evidence {
   bundle::CsvDocument timing;
   tables::JudgedTables judged;
   std::optional<bundle::CsvDocument> methods;
-  std::vector<std::string> damaged;  ///< damaged files that were used nevertheless
 };
 
 /// The methods of one race, the fastest first, and the class of curves of the choice.
@@ -130,7 +127,7 @@ std::string remedy(const Wish& wish) {
 }
 
 Evidence read_evidence(const Wish& wish) {
-  bundle::CheckedReader reader(wish.bundle, damage_of(wish.use_damaged));
+  const bundle::CheckedReader reader(wish.bundle);
   const auto table = [&](const std::string& file) -> std::optional<bundle::CsvDocument> {
     if (!reader.has(file)) return std::nullopt;
     return bundle::parse_csv(reader.read(file), reader.place(file));
@@ -140,9 +137,7 @@ Evidence read_evidence(const Wish& wish) {
   std::vector<bundle::CsvDocument> accuracies;
   for (const std::string file : {"accuracy.csv", "unstable.csv"})
     if (auto found = table(file)) accuracies.push_back(std::move(*found));
-  Evidence evidence{std::move(*timing), tables::JudgedTables(std::move(accuracies)), table("methods.csv"),
-                    reader.told()};
-  return evidence;
+  return {std::move(*timing), tables::JudgedTables(std::move(accuracies)), table("methods.csv")};
 }
 
 /// The races of the wish. Where there is none, throws Failure with the values that are available.
@@ -360,7 +355,6 @@ Exit choose(Wish wish) {
   const auto races = judged_races(evidence, wish);
   const auto& race = races.front();
   const auto candidates = candidates_of(race, wish);
-  print_damage(evidence.damaged);
   if (wish.format == "csv") {
     for (std::size_t k = 1; k < races.size(); ++k)
       say(fmt::format("times of another study are left out: {}; see --study", timed_curves(races[k])));
@@ -398,7 +392,6 @@ void add_choose(Command program, Exit& exit) {
   command.option("--study", wish->study, "the study whose times are used, where several have some");
   command.option("--accuracy-study", wish->accuracy_study, "the study whose errors are used, where several have some");
   command.option("--format", wish->format, "text or csv").one_of({"text", "csv"});
-  add_damaged(command, wish->use_damaged);
   command.action([wish, &exit] { exit = choose(*wish); });
 }
 

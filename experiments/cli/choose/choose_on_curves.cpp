@@ -15,8 +15,7 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/startup/curve_sets.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
-#include "experiments/cli/startup/suites_folder.hpp"
-#include "experiments/cli/terminal/fitted.hpp"
+#include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/metric/pareto.hpp"
 #include "experiments/run/job.hpp"
@@ -145,7 +144,7 @@ Times measured(suite::Study study, const std::vector<RankedMethod>& candidates, 
 class Answers {
  public:
   Answers() {
-    bundle::CheckedReader reader(answers_folder(), bundle::Damage::refused);
+    bundle::CheckedReader reader(answers_folder());
     timing_ = bundle::parse_csv(reader.read("timing.csv"), reader.place("timing.csv"));
   }
 

@@ -233,14 +233,10 @@ class Choose(Case):
         self.list_anew("b")
         self.refused(USAGE, [*asked, "8"], "does not have times")
 
-    def test_damage_is_refused_or_said(self):
+    def test_damage_is_refused(self):
         path = self.folder / "b/accuracy.csv"
         path.write_text(path.read_text() + path.read_text().splitlines()[-1] + "\n")
-        asked = ["choose", "b", "--degree", "8", "--tolerance", "1e9"]
-        self.refused(INPUT_OUTPUT, asked, "b/accuracy.csv: is not what SHA256SUMS lists", "--damaged")
-        for form in ("text", "csv"):
-            text = self.fine(*asked, "--damaged", "--format", form)
-            self.assertEqual(text.splitlines()[0], "# DAMAGED, not as SHA256SUMS lists: b/accuracy.csv")
+        self.refused(INPUT_OUTPUT, ["choose", "b", "--degree", "8", "--tolerance", "1e9"], "b/accuracy.csv: is not what SHA256SUMS lists")
 
 
 if __name__ == "__main__":

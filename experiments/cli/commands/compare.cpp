@@ -12,7 +12,6 @@
 #include "experiments/bundle/folder.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/commands/comparison_text.hpp"
-#include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/suite/pattern.hpp"
@@ -30,7 +29,6 @@ struct CompareOptions {
   std::string out;
   std::string method = "*";
   bool all = false;
-  bool damaged = false;
 };
 
 /// Leaves the rows of the methods that the glob matches.
@@ -119,19 +117,10 @@ Exit findings_of(const std::vector<Comparison>& comparisons, bool slower_fails) 
 Exit run_compare(const CompareOptions& options) {
   if (options.bundles.size() < 2)
     throw Failure(Exit::usage, "compare: takes two bundles or more; name first the one to compare with");
-  if (options.damaged && !options.out.empty())
-    throw Failure(
-        Exit::usage,
-        "--damaged: not with --out, since the tables would not say that files were damaged; leave one of them out");
   std::vector<compare::Side> sides;
-  std::vector<std::string> damaged;
-  for (const auto& bundle : options.bundles) {
-    const auto& side = sides.emplace_back(compare::read_side(bundle, damage_of(options.damaged)));
-    damaged.insert(damaged.end(), side.damaged.begin(), side.damaged.end());
-  }
+  for (const auto& bundle : options.bundles) sides.push_back(compare::read_side(bundle));
   auto comparisons = compared(sides);
   if (options.method != "*") keep_methods(options.method, comparisons);
-  print_damage(damaged);
   if (!options.out.empty()) write_files(comparisons, options.out);
   if (options.format == "csv")
     fmt::print("{}", compare::comparison_table(comparisons).text());
@@ -154,7 +143,6 @@ void add_compare(Command program, Exit& exit) {
       .takes(folder_value);
   command.option("--method", options->method, "only methods whose id matches this glob").takes("GLOB", all_methods());
   command.flag("--all", options->all, "every row, not only what changed");
-  add_damaged(command, options->damaged);
   command.action([options, &exit] { exit = run_compare(*options); });
 }
 

@@ -8,7 +8,6 @@
 #include <map>
 #include <set>
 
-#include "experiments/cli/terminal/fitted.hpp"
 #include "experiments/cli/terminal/shell_word.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/suite/names.hpp"

@@ -2,27 +2,124 @@
 // `replay`: recomputes a recorded input from its bits: of a worst case it splits the error into parts, of a property it
 // says by how much the input breaks it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "experiments/bundle/check/checked_reader.hpp"
 #include "experiments/cli/commands/commands.hpp"
-#include "experiments/cli/commands/worst_record.hpp"
 #include "experiments/cli/curve/curve_file.hpp"
 #include "experiments/cli/external/external_options.hpp"
-#include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/guarantees/statements.hpp"
 #include "experiments/judge/error_sources.hpp"
+#include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
 #include "experiments/studies/external/external.hpp"
+#include "experiments/suite/names.hpp"
+#include "reference/exact_point.hpp"
 #include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {
+
+// One row of a bundle that holds an input: of worst.csv, search.csv, guarantees.csv or guarantees_unstable.csv.
+
+/// A file of inputs.
+struct WorstFile {
+  std::string_view name;
+  std::string_view id;       ///< name of the column
+  std::string_view error_u;  ///< name of the column; empty where rows are about properties, not errors
+};
+
+constexpr std::array worst_files{
+    WorstFile{"worst.csv", "worst_id", "error_u"}, WorstFile{"search.csv", "search_id", "searched_error_u"},
+    WorstFile{"guarantees.csv", "guarantee_id", ""}, WorstFile{"guarantees_unstable.csv", "guarantee_id", ""}};
+
+/// A row whose fields are checked when they are used: all functions throw Failure(input_output) that names file, line
+/// and column.
+class WorstRecord {
+ public:
+  WorstRecord(bundle::CsvDocument table, std::size_t row, const WorstFile& file)
+      : table_(std::move(table)), row_(row), file_(file) {}
+
+  [[nodiscard]] const std::string& text(std::string_view column) const { return table_.at(row_, column); }
+  [[nodiscard]] double number(std::string_view column) const {
+    const auto value = number::parse_number(text(column));
+    if (!value) malformed(column, "is not a number");
+    return *value;
+  }
+  [[nodiscard]] suite::ScalarKind scalar() const { return word<suite::ScalarKind>("scalar"); }
+  /// The cell of the input, with curve kind, dimension and degree only: a single input does not need the other axes.
+  [[nodiscard]] sample::Cell cell() const {
+    sample::Cell cell;
+    if (!is_about_property()) cell.form = word<Form>("form");  // properties are of Bernstein form
+    cell.dimension = count("dimension", 1, reference::max_dimension);
+    cell.degree = count("degree", 0, max_degree);
+    return cell;
+  }
+  [[nodiscard]] sample::Trial input(const sample::Cell& cell) const {
+    const std::string_view weights = is_about_property() ? std::string_view() : text("weights");
+    const auto trial = judge::parse_input({text("t"), text("coefficients"), weights}, cell);
+    if (!trial) malformed("coefficients", "weights and t are not the numbers of a curve of this degree and dimension");
+    return *trial;
+  }
+  [[nodiscard]] double error_u() const { return number(file_.error_u); }
+  /// True for a row that says whether a method keeps a property.
+  [[nodiscard]] bool is_about_property() const { return file_.error_u.empty(); }
+
+  [[noreturn]] void malformed(std::string_view column, std::string_view what) const {
+    throw Failure(Exit::input_output, fmt::format("{}:{}: {} {}; restore the file or run the suite again",
+                                                  table_.file_name(), table_.line(row_), column, what));
+  }
+
+ private:
+  template <class Word>
+  [[nodiscard]] Word word(std::string_view column) const {
+    const auto value = suite::parse<Word>(text(column));
+    if (!value) malformed(column, "is not a known word");
+    return *value;
+  }
+  [[nodiscard]] int count(std::string_view column, int least, int most) const {
+    const auto value = number::parse_integer(text(column));
+    if (!value || *value < least || *value > most)
+      malformed(column, fmt::format("is not a whole number from {} to {}", least, most));
+    return static_cast<int>(*value);
+  }
+
+  bundle::CsvDocument table_;
+  std::size_t row_;
+  WorstFile file_;
+};
+
+/// The row with this id. Throws Failure(usage) that lists the ids where there is none.
+WorstRecord find_worst_record(const bundle::CheckedReader& bundle, const std::string& id) {
+  std::vector<std::string> there;
+  for (const WorstFile& file : worst_files) {
+    if (!bundle.has(file.name)) continue;
+    auto table = bundle::parse_csv(bundle.read(file.name), bundle.place(file.name));
+    const std::size_t rows = table.row_count();
+    for (std::size_t row = 0; row < rows; ++row)
+      if (table.at(row, file.id) == id) return {std::move(table), row, file};
+    if (rows > 0)
+      there.push_back(fmt::format("{} to {} in {}", table.at(0, file.id), table.at(rows - 1, file.id), file.name));
+  }
+  if (there.empty())
+    throw Failure(Exit::usage,
+                  fmt::format("{}: has no inputs with an id (worst.csv, search.csv, guarantees.csv); name a "
+                              "bundle that has",
+                              bundle.path().string()));
+  throw Failure(Exit::usage, fmt::format("{}: no such id in {}; there are {}, see worst_id, search_id and guarantee_id",
+                                         id, bundle.path().string(), fmt::join(there, ", ")));
+}
 
 /// The number in hexadecimal, which keeps all bits, and in decimal.
 std::string both(double value) { return fmt::format("{} ({})", number::hexadecimal(value), number::decimal(value)); }
@@ -210,21 +307,18 @@ void add_replay(Command program, Exit& exit, std::span<const external::OwnMethod
     std::string bundle;
     std::string id;
     std::optional<std::string> answers;
-    bool damaged = false;
   };
   auto options = std::make_shared<Options>();
   auto command = program.command("replay", "recompute one recorded worst case or counterexample");
   command.option("BUNDLE", options->bundle, "folder of the bundle").required();
   command.option("ID", options->id, "a worst_id, search_id or guarantee_id of the bundle").required();
-  add_damaged(command, options->damaged);
   auto external = std::make_shared<ExternalOptions>(own);
   external->add(command);
   command.option("--answers", options->answers, "the file that `judge` read").takes(file_value);
   command.action([options, external, &exit] {
-    bundle::CheckedReader reader(options->bundle, damage_of(options->damaged));
+    const bundle::CheckedReader reader(options->bundle);
     const WorstRecord record = find_worst_record(reader, options->id);
     const auto cell = record.cell();
-    print_damage(reader.told());
     if (record.is_about_property()) {
       exit = replay_property(options->id, record, cell);
       return;

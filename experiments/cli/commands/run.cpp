@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// `run`, and `merge`, which ends what `run --shard` began.
 #include "experiments/run/run.hpp"
 
 #include <fmt/format.h>
@@ -9,9 +10,9 @@
 #include <memory>
 #include <optional>
 
+#include "experiments/bundle/bundle.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/commands/kinds.hpp"
-#include "experiments/cli/commands/run_ending.hpp"
 #include "experiments/cli/commands/shard.hpp"
 #include "experiments/cli/external/external_options.hpp"
 #include "experiments/cli/startup/curve_sets.hpp"
@@ -19,10 +20,35 @@
 #include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/cli/terminal/shell_word.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/run/interruption.hpp"
+#include "experiments/run/progress.hpp"
+#include "experiments/suite/external.hpp"
+#include "experiments/suite/text/reader.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {
+
+/// Commands that can follow such a run, the most useful first, as they can be pasted.
+std::vector<std::string> next_commands(const run::Outcome& outcome, const std::string& out) {
+  if (outcome.ending == run::Ending::partial) return {};  // other shards are to be run, wherever their machines are
+  std::vector<std::string> commands;
+  if (const auto report = script_of_source("report"); !report.empty())
+    commands.push_back(fmt::format("{} {}", shell_word(report.string()), shell_word(out)));
+  commands.push_back(fmt::format("{} verify {}", this_program(), shell_word(out)));
+  return commands;
+}
+
+/// Says what the run gave, where it is and what can be done with it.
+void tell_ending(const run::Outcome& outcome, const std::string& out, run::Telling telling) {
+  if (telling == run::Telling::json)
+    return run::note_event(run::ending_json(outcome, out, next_commands(outcome, out)));
+  if (telling == run::Telling::nothing || outcome.ending != run::Ending::complete) return;
+  run::note(fmt::format("{}: {}", out, run::ending_line(outcome)));
+  run::note(fmt::format("next: {}", next_commands(outcome, out).front()));
+}
 
 struct RunOptions {
   SuiteOptions suites;
@@ -78,6 +104,33 @@ Exit run(const RunOptions& options, const ExternalOptions& external) {
   return exit;
 }
 
+struct MergeOptions {
+  std::vector<std::string> bundles;
+  std::string out;
+  bool quiet = false;
+};
+
+Exit merge(const MergeOptions& options) {
+  if (options.out.empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
+  const std::vector<std::filesystem::path> bundles(options.bundles.begin(), options.bundles.end());
+  auto request = request_of_this_build();
+  const auto first = bundle::BundleDirectory::open(bundles.front());
+  constexpr const char* name = "suite.toml";
+  const auto text = first.read_listed(name);
+  const auto place = (first.path() / name).string();
+  request.suites = suite::parse_suites(text, place, vocabulary());
+  load_curves(request.suites);
+  request.curve_files = curves_beside(request.suites);
+  record_external(request, suite::parse_external(text, place));
+  request.out = options.out;
+  request.telling = options.quiet ? run::Telling::nothing : run::Telling::text;
+  const auto telling = request.telling;
+  const auto outcome = run::merge(std::move(request), bundles);
+  const auto exit = say_findings(outcome.findings);
+  tell_ending(outcome, options.out, telling);
+  return exit;
+}
+
 }  // namespace
 
 void add_run(Command program, Exit& exit, std::span<const external::OwnMethod> own) {
@@ -103,6 +156,15 @@ void add_run(Command program, Exit& exit, std::span<const external::OwnMethod> o
   command.footer("The keys of a [[study]] in a suite file:\n\n" + kinds_text());
   external->add(command);
   command.action([options, external, &exit] { exit = run(*options, *external); });
+}
+
+void add_merge(Command program, Exit& exit) {
+  auto options = std::make_shared<MergeOptions>();
+  auto command = program.command("merge", "join the shards of a run");
+  command.option("BUNDLE", options->bundles, "bundles that run --shard wrote").required().takes(bundle_value);
+  command.option("--out", options->out, "folder of the complete bundle").required().takes(folder_value);
+  command.flag("--quiet", options->quiet, "print errors only");
+  command.action([options, &exit] { exit = merge(*options); });
 }
 
 }  // namespace bezierbench::cli

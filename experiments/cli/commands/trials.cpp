@@ -10,7 +10,6 @@
 #include "experiments/bundle/check/checked_reader.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/curve_sets.hpp"
-#include "experiments/cli/startup/damage.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/methods.hpp"
@@ -32,7 +31,6 @@ struct TrialsOptions {
   std::string study;
   std::string method;
   std::vector<std::string> set;
-  bool damaged = false;
 };
 
 /// Selects the study that the options name, with the values of `set`.
@@ -86,7 +84,6 @@ struct Chosen {
   suite::Study study;
   std::uint64_t seed;
   ScalarCell cell;
-  std::vector<std::string> damaged;  ///< damaged files of the bundle that were used nevertheless
 };
 
 /// The study that --study names, or the only one.
@@ -101,7 +98,7 @@ const suite::Study& only_study(const std::vector<suite::Suite>& suites, const st
 
 Chosen chosen(const TrialsOptions& options) {
   check_that_cells_are_set(options.set);
-  bundle::CheckedReader reader(options.bundle, damage_of(options.damaged));
+  const bundle::CheckedReader reader(options.bundle);
   const auto known = vocabulary();
   constexpr const char* name = "suite.toml";
   auto suites = suite::parse_suites(reader.read(name), reader.place(name), known);
@@ -120,7 +117,7 @@ Chosen chosen(const TrialsOptions& options) {
   if (std::ranges::find(there, cells.front()) == there.end())
     throw Failure(Exit::usage, fmt::format("study {}: has no such cell in {}; its cells differ in {}", study.id,
                                            options.bundle, choices(study, there)));
-  return {study, suites.front().seed, cells.front(), reader.told()};
+  return {study, suites.front().seed, cells.front()};
 }
 
 template <class Scalar>
@@ -161,7 +158,6 @@ void print_trials(const Chosen& from, const std::string& method) {
   const sample::Sampler sampler(from.seed, from.study.id, cell);
   judge::TrialInputs<Scalar> inputs(cell.form, cell);
   judge::PointJudge<Scalar> judge;
-  print_damage(from.damaged);
   fmt::print("trial,{},value,exact,error,error_u,bound_u\n", fmt::join(judge::input_columns(), ","));
   const auto trials = static_cast<std::uint64_t>(from.study.trials * from.study.replicates);
   for (std::uint64_t trial = 0; trial < trials; ++trial) {
@@ -188,7 +184,6 @@ void add_trials(Command program, Exit& exit) {
       .takes("METHOD", methods_of(Problem::evaluation));
   command.option("--set", options->set, "the value of an axis that has several; an interval is written 0:0.2")
       .takes("AXIS=VALUE", known_settings);
-  add_damaged(command, options->damaged);
   command.action([options, &exit] {
     const Chosen from = chosen(*options);
     if (from.cell.scalar == suite::ScalarKind::float32)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `inputs`: the inputs of accuracy studies as CSV, for methods that run elsewhere, and the reading of that table for
-// `judge`.
-#include "experiments/cli/external/inputs.hpp"
-
+// `inputs`: the inputs of accuracy studies as CSV, for methods that run elsewhere. `judge`: the errors of the answers, as
+// accuracy.csv has them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,14 +12,20 @@
 #include <utility>
 
 #include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/csv.hpp"
 #include "experiments/cli/commands/commands.hpp"
+#include "experiments/cli/external/external_options.hpp"
 #include "experiments/cli/startup/curve_sets.hpp"
+#include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/suite_options.hpp"
+#include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/external/answers.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/sample/curve_slice.hpp"
+#include "experiments/sample/draw.hpp"
+#include "experiments/studies/external/external.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/external.hpp"
 #include "experiments/suite/text/reader.hpp"
@@ -220,8 +224,7 @@ void use_given(suite::Study& study, const GivenSets& given) {
   }
 }
 
-}  // namespace
-
+/// A line for each study of which the table has inputs that the study does not draw.
 std::vector<std::string> foreign_inputs(const bundle::CsvDocument& table, const std::vector<suite::Suite>& suites) {
   std::vector<std::string> findings;
   for (const auto& of : suites)
@@ -245,6 +248,8 @@ std::vector<std::string> foreign_inputs(const bundle::CsvDocument& table, const 
   return findings;
 }
 
+/// The suites of a table of inputs, with one replicate of each study and `method` as its only method. Throws
+/// Failure(input_output) for another table.
 std::vector<suite::Suite> suites_of(const bundle::CsvDocument& table, const std::string& method) {
   std::vector<suite::Suite> suites;
   GivenSets given;
@@ -267,6 +272,47 @@ std::vector<suite::Suite> suites_of(const bundle::CsvDocument& table, const std:
   }
 }
 
+struct JudgeOptions {
+  std::string file;
+  std::optional<std::string> id;
+  std::optional<std::string> out;
+};
+
+/// Prints the rows of accuracy.csv; a status that is not ok is a finding.
+Exit print_rows(const run::RunRequest& request, const external::Method& method) {
+  tables::Tables tables;
+  for (const auto& one : request.suites)
+    for (const auto& written : one.studies)
+      for (const auto& study : sample::studies_of(written)) {
+        const auto job = studies::external_job(study, method.record(), &method, {one.seed, request.tier});
+        if (!job) continue;
+        run::run_all(*job);
+        job->write(tables);
+      }
+  const auto& table = tables.table("accuracy.csv");
+  fmt::print("{}", table.text());
+  const auto is_ok = [](const tables::Row& row) { return row.field("status") == tables::field("ok"); };
+  return std::ranges::all_of(table.rows(), is_ok) ? Exit::fine : Exit::finding;
+}
+
+Exit judge(const JudgeOptions& options) {
+  const external::Methods methods{read_answers(options.file, options.id)};
+  auto request = request_of_this_build(methods);
+  const auto table = bundle::parse_csv(bundle::read_file(options.file), options.file);
+  request.suites = suites_of(table, methods.front()->record().id);
+  auto findings = foreign_inputs(table, request.suites);
+  if (!options.out) return std::max(print_rows(request, *methods.front()), say_findings(findings));
+  if (options.out->empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
+  request.curve_files = curves_beside(request.suites);
+  request.out = *options.out;
+  request.telling = run::Telling::nothing;
+  const auto of_run = run::run(request).findings;
+  findings.insert(findings.end(), of_run.begin(), of_run.end());
+  return say_findings(findings);
+}
+
+}  // namespace
+
 void add_inputs(Command program, Exit& exit) {
   struct Options {
     SuiteOptions suites;
@@ -284,6 +330,18 @@ void add_inputs(Command program, Exit& exit) {
     bundle::write_file(options->out, input_table(options->suites.read(vocabulary())).text());
     exit = Exit::fine;
   });
+}
+
+void add_judge(Command program, Exit& exit) {
+  auto options = std::make_shared<JudgeOptions>();
+  auto command = program.command("judge", "judge answers that were computed elsewhere");
+  command.option("FILE", options->file, "the file that `inputs` wrote, with the answers in the columns x, y and z")
+      .required()
+      .takes(file_value);
+  command.option("--id", options->id, "id of the method, answers_NAME; default: from the name of the file");
+  command.option("--out", options->out, "write a bundle to this folder; default: print the rows of accuracy.csv")
+      .takes(folder_value);
+  command.action([options, &exit] { exit = judge(*options); });
 }
 
 }  // namespace bezierbench::cli

@@ -13,7 +13,7 @@
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/cli/curve/curve_file.hpp"
-#include "experiments/cli/startup/suites_folder.hpp"
+#include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/sample/curve_slice.hpp"
 #include "experiments/suite/fault.hpp"

@@ -12,6 +12,30 @@
 
 namespace bezierbench::cli {
 
+// The suites, curve sets and answers that come with the program: files beside it, not a part of it, so that whoever installs it can read them.
+
+/// The folder of the suites: share/bezierbench/suites beside the folder of an installed program; for a program in its
+/// build folder `suites` there, a link that CMake makes to those of the source. Throws Failure(Exit::environment)
+/// where neither is there.
+std::filesystem::path suites_folder();
+
+/// The folder of the shipped curve sets, likewise; the file of a set is ID.csv.
+std::filesystem::path curves_folder();
+
+/// The bundle of the shipped answers, likewise.
+std::filesystem::path answers_folder();
+
+/// The ids of the suites in suites_folder(), in alphabetical order. The file of a suite is ID.toml.
+std::vector<std::string> shipped_suites();
+
+/// The file that a word of the command line names: itself where it has a slash or ends in .toml, else the shipped suite
+/// with this id. Throws Failure(Exit::usage) where there is none.
+std::filesystem::path suite_file(const std::string& word);
+
+/// scripts/NAME of the source from which the program was built, if it is still in its build folder and the script is
+/// there. Empty for an installed program.
+std::filesystem::path script_of_source(const std::string& name);
+
 class SuiteOptions {
  public:
   void add_suites(Command& command);

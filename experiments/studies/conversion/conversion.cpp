@@ -25,7 +25,7 @@
 #include "experiments/tables/cell_fields.hpp"
 #include "experiments/tables/statistics.hpp"
 #include "reference/error/norm.hpp"
-#include "reference/exact_conversion.hpp"
+#include "reference/exact_curve.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::studies {

@@ -23,8 +23,8 @@ suite::Study small_derivative_study() {
 }
 
 std::size_t methods_of(Form form) {
-  return static_cast<std::size_t>(
-      std::ranges::count(derivative_infos(), form, [](const MethodInfo* info) { return info->form; }));
+  return static_cast<std::size_t>(std::ranges::count(derivative_kernels(2), form,
+                                                     [](const DerivativeKernel& kernel) { return kernel.info->form; }));
 }
 
 bundle::CsvDocument derivative_rows_of(const suite::Study& study) {

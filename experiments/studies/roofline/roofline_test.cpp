@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is made of the times of a roofline; the times are made up, so that no clock decides.
+#include "experiments/studies/roofline/roofline.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,7 +11,6 @@
 #include <vector>
 
 #include "experiments/bundle/csv.hpp"
-#include "experiments/studies/roofline/roofline_race.hpp"
 #include "experiments/studies/roster.hpp"
 #include "reference/number/number.hpp"
 

@@ -1,6 +1,6 @@
 // Tables: sort by a column, filter by method and family, another unit, copy.
 
-const UNITS = [["u", "u p~"], ["coordinate", "coordinate units"], ["ulp", "ulp"], ["relative", "relative"]];
+const UNITS = [["u", "u p~"], ["coordinate", "coordinate units"], ["ulp", "ulp"], ["relative", "relative"], ["size", "size of the curve"]];
 const roots = new Map(Object.entries(data.roots)); // ids are a bundle's: one may be called "constructor"
 const tables = [...document.querySelectorAll("main table")];
 const methodTables = tables.filter((table) => table.dataset.rows === "methods");
@@ -126,7 +126,7 @@ const WRITERS = {
 };
 
 function showUnit(table, unit) {
-  for (const cell of table.querySelectorAll("td[data-coordinate], td[data-ulp], td[data-relative]")) {
+  for (const cell of table.querySelectorAll("td[data-coordinate], td[data-ulp], td[data-relative], td[data-size]")) {
     cell.dataset.text ??= cell.textContent;
     cell.dataset.first ??= value(cell);
     const raw = unit === "u" ? cell.dataset.first : cell.dataset[unit] ?? "";
@@ -135,7 +135,7 @@ function showUnit(table, unit) {
   }
   const caption = table.querySelector("caption strong");
   caption.dataset.text ??= caption.textContent;
-  const words = { coordinate: "in coordinate units", ulp: "in ulp", relative: "relative to the value" };
+  const words = { coordinate: "in coordinate units", ulp: "in ulp", relative: "relative to the value", size: "over the size of the curve" };
   caption.textContent = caption.dataset.text.replace(/over u\sp~/, (found) => (unit === "u" ? found : words[unit]));
 }
 

@@ -97,15 +97,26 @@ class Axes : public detail::SharedByAxes<ScalarT, held> {
   static constexpr int lanes = detail::lanes_for<Scalar>(Dimension);
   using Vector = typename detail::VectorType<Scalar, lanes>::Type;
 
-  /// A comparison of what is the same in every lane.
+  /// A comparison; as a truth value one of what is the same in every lane.
   struct Mask {
     decltype(Vector{} < Vector{}) value;
 
-    operator bool() const {  // NOLINT(google-explicit-constructor): what a comparison of scalars is
+    operator bool() const { return holds(0); }  // NOLINT(google-explicit-constructor): what a comparison of scalars is
+    [[nodiscard]] bool holds(int axis) const {
       if constexpr (lanes == 1)
         return value;
       else
-        return value[0] != 0;
+        return value[axis] != 0;
+    }
+    friend bool all_of(const Mask& mask) {
+      bool all = true;
+      for (int axis = 0; axis < Dimension; ++axis) all = all && mask.holds(axis);
+      return all;
+    }
+    friend bool any_of(const Mask& mask) {
+      bool any = false;
+      for (int axis = 0; axis < Dimension; ++axis) any = any || mask.holds(axis);
+      return any;
     }
   };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/cli/terminal/fitted.hpp"
+
+#include "experiments/cli/terminal/wrapped.hpp"
 
 #include <gtest/gtest.h>
 
 #include "experiments/cli/terminal/shell_word.hpp"
-#include "experiments/cli/terminal/wrapped.hpp"
 
 namespace bezierbench::cli {
 namespace {

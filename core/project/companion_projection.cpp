@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/project/companion_roots.hpp"
+#include "core/project/companion_projection.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""agreement.py and digests.csv for a bundle to whose tables rows are added, or whose rows change or are lost."""
+"""digests.py and digests.csv for a bundle to whose tables rows are added, or whose rows change or are lost."""
 import csv
 import shutil
 import subprocess
@@ -38,7 +38,7 @@ class Agreement(unittest.TestCase):
                 csv.writer(file, lineterminator="\n").writerows([header, *([row[column] for column in header] for row in rows)])
 
     def said(self):
-        done = subprocess.run([ROOT / "scripts/agreement.py", BASELINE, self.copy], capture_output=True, text=True, check=False)
+        done = subprocess.run([ROOT / "scripts/digests.py", BASELINE, self.copy], capture_output=True, text=True, check=False)
         return done.returncode, done.stdout
 
     def test_a_method_that_is_added_changes_no_line(self):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/bundle/facts.hpp"
+#include "experiments/bundle/json_object.hpp"
 
 #include <gtest/gtest.h>
 
