@@ -118,14 +118,12 @@ def rank(*names):
 
 def decimal(x):
     """The shortest decimal that reads back to the same double."""
-    return str(int(x)) if x == int(x) and abs(x) < 1e15 else repr(x)
+    return repr(x).removesuffix(".0")
 
-
-# Readers: from a file to (id, points), where a point is (x, y[, z]) or, of rational curves, (x, y[, z], w) and
-# rational is true.
 
 @dataclass
 class Curve:
+    """A curve of a file. Points are (x, y[, z]), of rational curves (x, y[, z], w) and not premultiplied."""
     id: str
     points: list
     rational: bool = False
@@ -161,7 +159,7 @@ def curves_of_set(text, fewest=0):
 
 
 class Readers:
-    """Readers by their names in SOURCES. The program reads fonts and SVG and fits cubics to points."""
+    """Readers of files by their names in SOURCES. The program reads fonts and SVG and fits cubics to points."""
 
     def __init__(self, program, folder):
         self.command = [str(program)]
@@ -506,6 +504,9 @@ def main():
     except Failure as failure:
         print(f"make_sets.py: {failure}", file=sys.stderr)
         return failure.code
+    except subprocess.CalledProcessError as error:
+        print(f"make_sets.py: {error.cmd[0]} failed with {error.returncode} on a package", file=sys.stderr)
+        return 3
     except OSError as error:
         print(f"make_sets.py: {error.filename}: {error.strerror}", file=sys.stderr)
         return 4
