@@ -72,7 +72,9 @@ def _where(row, across, down):
              **inputs.parts(row)}
     if row["knots"] is not None:
         parts["knots"] = f"{row['knots']} knots"
-    return ", ".join(text for name, text in parts.items() if name not in (across, down))
+    if across == "curves":
+        parts["curves"] = "curves of sets"
+    return ", ".join(text for name, text in parts.items() if name == "curves" or name not in (across, down))
 
 
 def named(down, kind):

@@ -19,6 +19,7 @@ from .fixture import evaluators, scorecards
 from .fixture.comparison import write_comparison
 from .wording import as_printed, general, scientific, shortest
 
+OF_SETS = "real-curves"  # the chapter of a bundle with curve sets
 VOID = {"meta", "link", "br"}
 
 
@@ -80,7 +81,7 @@ class WrittenFiles(unittest.TestCase):
         cls.page = Page(cls.html)
 
     def test_every_chapter_is_there(self):
-        self.assertEqual([one.id for one in ROSTER if f'<h2 id="{one.id}"' not in self.html], [])
+        self.assertEqual([one.id for one in ROSTER if one.id != OF_SETS and f'<h2 id="{one.id}"' not in self.html], [])
 
     def test_numbers_of_the_page_are_those_of_the_csv(self):
         write = {"published": as_printed, "ours_median": scientific, "continuous_median": scientific,

@@ -39,7 +39,7 @@ class Words(unittest.TestCase):
         page = render.files(bundle, *build_all(bundle, find_all(bundle)))["report.md"].decode()
         self.assertNotRegex(page, r"R = [,)\n]|t in \\\[, ")
         self.assertNotIn("stored inputs", page)
-        self.assertIn("degree 2, 2 axes, as stored", page)
+        self.assertIn("degree 2, 2 axes, curves of sets, as stored", page)
         self.assertIn("R = 1, t in \\[0, 1\\], continuous inputs", page)
 
     def test_one_set_is_named_in_captions(self):
@@ -120,7 +120,7 @@ class Chapter(unittest.TestCase):
     def test_the_conclusion_is_judged_by_the_rows(self):
         said = _finding(_bundle())
         self.assertFalse(said.holds)
-        self.assertIn("in 0 of 12 comparisons", said.headline)
+        self.assertIn("in none of 12 comparisons", said.headline)
 
         def better(file, row):
             if row["method"] == "de_casteljau":

@@ -25,30 +25,28 @@ def _search(bundle, study):
     yield search_table(study, bundle["search.csv"].some(study=study))
 
 
-@chapter("Every method by degree", suite="ladder")
-def ladder(bundle, findings):
-    """Every method, degree by degree, under every generator."""
-    table = bundle.exact("ladder")
-    yield from of_suite(findings, "ladder")
-    for study, rows in grouped(table.rows, "study").items():
-        yield from study_figure(bundle, study)
-        yield from error_tables(study, rows)
-    yield Text("The p~ of a converted path is that of the form in which the curve is given, so the tables show what the conversion adds.")
-    yield from replay(bundle, "ladder")
+def errors_of(suite, title, note, axes=lambda rows: (), more=lambda bundle: ()):
+    """Declares the chapter of a suite of evaluators: findings, then each study with its figure and its tables along the `axes` of its rows; `more`
+    makes what follows."""
+    def blocks(bundle, findings):
+        table = bundle.exact(suite)
+        yield from of_suite(findings, suite)
+        for study, rows in grouped(table.rows, "study").items():
+            yield Heading(bundle.title(study))
+            yield from study_figure(bundle, study)
+            yield from error_tables(study, rows, *axes(rows))
+        yield from more(bundle)
+        yield Text(note)
+        yield from replay(bundle, suite)
+    blocks.__name__ = suite
+    chapter(title, suite=suite)(blocks)
 
 
-@chapter("At the limits: parameters, coordinates, degrees, float, dimensions", suite="regimes")
-def regimes(bundle, findings):
-    """The figure and the tables of each study along the axis that it varies."""
-    table = bundle.exact("regimes")
-    yield from of_suite(findings, "regimes")
-    for study, rows in grouped(table.rows, "study").items():
-        yield Heading(bundle.title(study))
-        yield from study_figure(bundle, study)
-        yield from error_tables(study, rows, *swept(rows))
-    yield Text("u is that of the scalar: 2^-53 for double, 2^-24 for float. Means are over finite trials; where trials overflow, the finite ones of "
-               "that cell are its milder ones, and its mean cannot be compared with those of other cells.")
-    yield from replay(bundle, "regimes")
+errors_of("ladder", "Every method by degree",
+          "The p~ of a converted path is that of the form in which the curve is given, so the tables show what the conversion adds.")
+errors_of("regimes", "At the limits: parameters, coordinates, degrees, float, dimensions",
+          "u is that of the scalar: 2^-53 for double, 2^-24 for float. Means are over finite trials; where trials overflow, the finite ones of "
+          "that cell are its milder ones, and its mean cannot be compared with those of other cells.", swept)
 
 
 @chapter("Near multiple roots: relative error against the condition number", suite="conditioning")
@@ -162,18 +160,13 @@ def worst(bundle, findings):
                "`bezierbench replay BUNDLE ID` with the id of its line.")
 
 
-@chapter("Rational curves", suite="rational")
-def rational(bundle, findings):
-    """Methods for rational curves, under mild and wild weights; the searched maxima where the bundle has them."""
-    table = bundle.exact("rational")
-    yield from of_suite(findings, "rational")
-    for study, rows in grouped(table.rows, "study").items():
-        yield from study_figure(bundle, study)
-        yield from error_tables(study, rows, swept(rows)[0])
+def _searched(bundle):
     try:
-        yield from search_tables(bundle, "rational")
+        return search_tables(bundle, "rational")
     except Missing:
-        pass  # searches are a study of their own, which a bundle may omit
-    yield Text("p~ of a rational curve is the sum of the absolute terms of its numerator over the absolute value of its denominator. Weights are "
-               "positive: a bound holds under the conditions that are stated with the method.")
-    yield from replay(bundle, "rational")
+        return ()  # searches are a study of their own, which a bundle may omit
+
+
+errors_of("rational", "Rational curves",
+          "p~ of a rational curve is the sum of the absolute terms of its numerator over the absolute value of its denominator. Weights are "
+          "positive: a bound holds under the conditions that are stated with the method.", lambda rows: swept(rows)[:1], _searched)

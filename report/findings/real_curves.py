@@ -85,8 +85,8 @@ def via_power_worse_on_sets(bundle):
     n, sets = len(pairs), len(distinct((a for a, _ in pairs), "curves"))
     return verdict(
         min(misrounded, mean, largest) == n, f"On real curves, too, de Casteljau is more accurate than the power form, in all {n} comparisons.",
-        "On real curves de Casteljau is not always more accurate than the power form: it misrounds fewer coordinates in "
-        f"{misrounded} of {n} comparisons.",
+        f"On real curves de Casteljau is {'not always' if misrounded else 'never'} more accurate than the power form: it misrounds fewer coordinates in "
+        f"{misrounded or 'none'} of {n} comparisons.",
         f"A comparison is of one path through the power form on {'the set' if sets == 1 else f'one of {sets} sets'}, at one placement, degree and type. De "
         f"Casteljau has the smaller mean error over u p~ in {mean} and the smaller largest one in {largest} of them.",
         f"Most in favour of the power form: {said(for_it)}. Most in favour of de Casteljau: {said(against)}.", rows=[r for pair in pairs for r in pair])

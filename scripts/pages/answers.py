@@ -212,7 +212,7 @@ def trials_on_sets(real):
     for row in (row for need in REAL for row in rows_of(real, need)):
         sets.setdefault(row["curves"], {})[row["degree"], row["generator"]] = row["trials"]
     listed = listing(f"{name} ({large(sum(trials.values()))} points)" for name, trials in sets.items())
-    return (f"Real curves: the largest share on a set, of {listed}, with curves as they are stored and translated on a page; times are of curves "
+    return (f"Real curves ([results/real](results/real)): the largest share on a set, of {listed}, with curves as they are stored and translated on a page; times are of curves "
             "50 times their size away from the origin.")
 
 

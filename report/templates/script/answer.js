@@ -1,6 +1,6 @@
 // The answer: a picker over the cells of the bundle, which ranks the methods and draws them, time against error.
 
-const AXES = [["form", "form"], ["degree", "degree"], ["mode", "mode"], ["scalar", "scalar"], ["dimension", "axes"], ["where", "range"]];
+const AXES = [["form", "form"], ["degree", "degree"], ["mode", "mode"], ["scalar", "scalar"], ["dimension", "axes"], ["where", "inputs"]];
 const WORTH = new Map([["yes", "✓ not dominated"], ["unresolved", "? undecided"], ["no", "dominated"]]);
 
 function useful(cell, one) {
