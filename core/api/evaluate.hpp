@@ -181,7 +181,8 @@ inline double amplification_of(Amplification kind, std::span<const double> coeff
       [&](int i) { return std::abs(coefficients[static_cast<std::size_t>(i)] - anchor); }, t);
 }
 
-/// The bound of core/bound/error_bound.hpp on one axis, with |p| <= p~, raised by more than its own rounding.
+/// The bound of core/bound/error_bound.hpp on one axis, with |p| <= p~, raised by more than its own rounding; the least
+/// that the method has.
 template <class Scalar>
 double bound_on_axis(const ErrorBound& bound, Form form, std::span<const double> coefficients, double t) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -201,7 +202,8 @@ double bound_on_axis(const ErrorBound& bound, Form form, std::span<const double>
       (bound.result_roundings * size + bound.factor(n, u) * amplification_of(bound.amplification, coefficients, t)) * u;
   const double underflow = eta * (powers_apart ? 1 + largest : 1) * std::ceil(bound.underflow(n)) * reach;
   const double total = (rounding + underflow) * (1 + 0x1p-20);
-  return total >= 0 ? total : infinite;
+  const double first = total >= 0 ? total : infinite;
+  return bound.also == nullptr ? first : std::min(first, bound_on_axis<Scalar>(*bound.also, form, coefficients, t));
 }
 
 template <class Points>

@@ -66,6 +66,8 @@ struct ErrorBound {
   /// Of a method that chooses by axis: the bound where the curve is local (core/bound/locality.hpp). All else here is
   /// of the other axes.
   const ErrorBound* of_local = nullptr;
+  /// Another bound of the method, which holds as well and is far lower where all control points are near b_0.
+  const ErrorBound* also = nullptr;
   /// Of a method for power form that adds c_0 last, so that it rounds c_0 in the result only: also
   ///   |computed - true| <= constant_roundings u |p| + factor(n, u) u sum_(j>0) |c_j| x^j
   ///                        + underflow(n) eta S (x + y)^n.

@@ -152,7 +152,7 @@ requires(Via<Converter, Method>::counts_from_start()) struct Local<Via<Converter
   using Path = Via<Converter, Method>;
 
   static constexpr ErrorBound bound() {
-    auto local = Path::bound_from_start();
+    auto local = Path::from_start;
     local.text = detail::Joined<detail::LocalBound, detail::BoundOf<Path>>::text;
     local.amplification = Amplification::spread_to_power;
     local.unit_interval_only = true;

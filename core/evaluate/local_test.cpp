@@ -61,6 +61,9 @@ TEST(LocalOrBernstein, ChoosesByAxis) {
     return LocalOrBernstein::prepare(curve).choice(0, 0);
   };
   EXPECT_EQ(choice({100, 101, 103}), 1);
+  EXPECT_EQ(choice({3, 4, 6}), 1);  // 2.25 / 6, at most 1/2
+  EXPECT_EQ(choice({2, 3, 5}), 1);  // 2.25 / 5
+  EXPECT_EQ(choice({1, 2, 4}), 2);  // 2.25 / 4
   EXPECT_EQ(choice({0, 7, 0}), 2);
   EXPECT_EQ(choice({-1, 1, -1}), 0);
   EXPECT_EQ(choice({0, 0, 0}), 1);

@@ -76,22 +76,17 @@ requires(Converter::target == Method::info.form) struct Via {
     }
     return degree;
   }
-  static constexpr std::optional<ErrorBound> bound() {
-    if constexpr (has_bound())
-      return ErrorBound{
-          .text = detail::Joined<detail::ConversionWord, detail::BoundOf<Converter>, detail::EvaluationWord,
-                                 detail::BoundOf<Method>>::text,
-          .amplification = Converter::info.bound->amplification,
-          .factor = bound_factor,
-          .underflow = bound_underflow,
-          .underflow_scales_with_coefficients = true,
-          .growth = bound_growth,
-          .unit_interval_only = Converter::info.bound->unit_interval_only || Method::info.bound->unit_interval_only,
-          .result_roundings = Method::info.bound->result_roundings};
-    else
-      return std::nullopt;
+  static constexpr ErrorBound bound_of_coefficients() {
+    return {.text = detail::Joined<detail::ConversionWord, detail::BoundOf<Converter>, detail::EvaluationWord,
+                                   detail::BoundOf<Method>>::text,
+            .amplification = Converter::info.bound->amplification,
+            .factor = bound_factor,
+            .underflow = bound_underflow,
+            .underflow_scales_with_coefficients = true,
+            .growth = bound_growth,
+            .unit_interval_only = Converter::info.bound->unit_interval_only || Method::info.bound->unit_interval_only,
+            .result_roundings = Method::info.bound->result_roundings};
   }
-
   /// Where the coefficients are differences of control points, except for b_0, which is added last: a bound that only
   /// multiplies by how far the control points are from b_0.
   static constexpr bool counts_from_start() {
@@ -106,11 +101,21 @@ requires(Converter::target == Method::info.form) struct Via {
     return conversion + evaluation + conversion * u * (evaluation + Method::info.bound->constant_roundings);
   }
   static constexpr ErrorBound bound_from_start() {
-    auto from_start = *bound();
-    from_start.amplification = Amplification::spread_to_power_from_start;
-    from_start.factor = factor_from_start;
-    from_start.result_roundings = Method::info.bound->constant_roundings;
-    return from_start;
+    auto result = bound_of_coefficients();
+    result.amplification = Amplification::spread_to_power_from_start;
+    result.factor = factor_from_start;
+    result.result_roundings = Method::info.bound->constant_roundings;
+    return result;
+  }
+  static constexpr ErrorBound from_start = bound_from_start();
+  static constexpr std::optional<ErrorBound> bound() {
+    if constexpr (has_bound()) {
+      auto result = bound_of_coefficients();
+      if constexpr (counts_from_start()) result.also = &from_start;
+      return result;
+    } else {
+      return std::nullopt;
+    }
   }
 
   static constexpr MethodInfo info{

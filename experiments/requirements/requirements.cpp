@@ -54,7 +54,7 @@ class BoundedPoints {
              const reference::Arithmetic& arithmetic) {
     scale_.set(curve, t);
     const double error = reference::Distance(exact_.point(curve, t)).to(point);
-    const double bound = scale_.bound(*info_.bound, arithmetic);
+    const double bound = scale_.least_bound(*info_.bound, arithmetic);
     bounded_ += std::isfinite(bound) ? 1 : 0;
     outcome_.expect(!reference::TrialScale::violates(error, bound), [&] {
       return fmt::format("degree {}, {} axes, t {}: error {}, bound {}", curve.degree, curve.dimension, t, error,
@@ -109,6 +109,8 @@ Outcome keeps_its_bound(const Evaluator& method) {
         auto coefficients = inputs.coefficients(degree, dimension);
         if (repeat % 4 == 3)  // magnitudes from 2^-40 to 2^40 side by side
           for (double& value : coefficients) value = std::ldexp(value, static_cast<int>(80 * inputs.symmetric() / 2));
+        if (repeat % 4 == 2)  // up to 2^20 times as far from the origin as from each other
+          for (double& value : coefficients) value += std::ldexp(1, repeat + 2);
         judge.judge(method.kernel(dimension), degree, coefficients, with_random(parameters(), inputs, 8));
       }
     }
@@ -120,7 +122,9 @@ Outcome keeps_its_bound_in_float(const Evaluator& method) {
   BoundedPoints judge(method.info());
   for (const int degree : degrees_for<float>(*method.in_float->info, {0, 1, 2, 3, 8, 20, 34})) {
     for (int repeat = 0; repeat < 20; ++repeat) {
-      const auto coefficients = inputs.coefficients(degree, 2);
+      auto coefficients = inputs.coefficients(degree, 2);
+      if (repeat % 2 == 1)
+        for (double& value : coefficients) value += repeat;
       judge.judge(*method.in_float, degree, coefficients, {inputs.unit()});
     }
   }

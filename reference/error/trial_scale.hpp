@@ -7,6 +7,7 @@
 // Of a rational curve the coefficients are w_i b_i, and every amplification is divided by |sum w_i B_i(t)|.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -77,6 +78,13 @@ class TrialScale {
   double bound(const BoundAtDegree& bound, const Arithmetic& arithmetic, std::optional<double> length = std::nullopt);
   double bound(const ErrorBound& bound, const Arithmetic& arithmetic, std::optional<double> length = std::nullopt) {
     return this->bound(BoundAtDegree(bound, degree(), arithmetic), arithmetic, length);
+  }
+
+  /// The least bound that the method has: this one or the other that it names.
+  double least_bound(const ErrorBound& bound, const Arithmetic& arithmetic,
+                     std::optional<double> length = std::nullopt) {
+    const double first = this->bound(bound, arithmetic, length);
+    return bound.also == nullptr ? first : std::min(first, this->bound(*bound.also, arithmetic, length));
   }
 
   /// Empty where nothing is proved at this input.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: on each axis, with q_j the power coefficients about either end and k the larger sum_(j>0) |q_j| 2^-j /
-//   max|b_i|: for k <= 1/2 local:differences:horner_fma, for k <= 2 local:differences:horner_corrected, else
+//   max|b_i|: for nk <= 1 local:differences:horner_fma, for k <= 2 local:differences:horner_corrected, else
 //   horner_bernstein_fma. About an end, power form multiplies numbers that are hardly larger than the result.
 // Source: [Farin 2002], nested multiplication; the choice is derived here.
 // Cost: dn fused multiply-adds and a sum per point; d (n + 3) and 3d + 1; or that of horner_bernstein_fma.
@@ -58,9 +58,10 @@ struct LocalOrBernstein {
       .prepare_exponent = 2,
       .citation = "[Farin 2002], nested multiplication, with fused steps; bound derived here"};
 
-  static constexpr std::array guarantees{
-      Guarantee{Property::ends_exact}, Guarantee{Property::constant_reproduced}, Guarantee{Property::in_hull, 1},
-      Guarantee{Property::finite, 1},  Guarantee{Property::axes_independent},    Guarantee{Property::total}};
+  static constexpr std::array guarantees{Guarantee{Property::ends_exact}, Guarantee{Property::constant_reproduced},
+                                         Guarantee{Property::in_hull, 1}, Guarantee{Property::monotone, 1},
+                                         Guarantee{Property::finite, 1},  Guarantee{Property::axes_independent},
+                                         Guarantee{Property::total}};
 
   /// The power coefficients about either end; on an axis that is not local, C(n,i) b_i in place of those about b_0. All
   /// of `choice` is 2 on an axis where power form is corrected, 1 where it is plain, else 0.
@@ -82,7 +83,8 @@ struct LocalOrBernstein {
       const Scalar half = Scalar(1) / Scalar(2);
       const auto [size, largest] = sizes(curve, from_start, from_end, axis);
       const auto is_local = half * size <= largest;  // false where the size overflows
-      const Scalar chosen = select(size + size <= largest, Scalar(1), select(is_local, Scalar(2), Scalar(0)));
+      const Scalar chosen =
+          select(Scalar(curve.degree()) * size <= largest, Scalar(1), select(is_local, Scalar(2), Scalar(0)));
       for (int i = 0; i <= curve.degree(); ++i) {
         choice(axis, i) = chosen;
         from_start(axis, i) = select(is_local, from_start(axis, i), scaled(axis, i));
