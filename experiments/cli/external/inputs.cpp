@@ -38,7 +38,7 @@ namespace {
 
 constexpr std::size_t drawn_before_trial = 4;  ///< the others of tables::drawn_columns() come last
 
-const std::vector<std::string>& columns() {
+const std::vector<std::string>& columns_of_inputs() {
   static const auto all = [] {
     std::vector<std::string> names{"suite", "seed", "study", "trials", "form", "dimension", "degree"};
     const auto append = [&](const auto& more) { names.insert(names.end(), more.begin(), more.end()); };
@@ -80,11 +80,12 @@ void add_cell(const suite::Suite& of, const suite::Study& study, const sample::C
       fields.insert(fields.end(), more.begin(), more.end());
     };
     const auto drawn = tables::drawn_fields(cell);
-    for (std::size_t k = 0; k < drawn_before_trial; ++k) fields.push_back(tables::text(drawn[k]));
+    for (std::size_t column = 0; column < drawn_before_trial; ++column) fields.push_back(tables::text(drawn[column]));
     fields.push_back(std::to_string(k));
     append(judge::input_fields(trial, cell.dimension));
     append(std::vector<std::string>(external::answer_columns.size()));
-    for (std::size_t k = drawn_before_trial; k < drawn.size(); ++k) fields.push_back(tables::text(drawn[k]));
+    for (std::size_t column = drawn_before_trial; column < drawn.size(); ++column)
+      fields.push_back(tables::text(drawn[column]));
     table.add_row(std::move(fields));
   }
 }
@@ -140,8 +141,10 @@ void add_row(const bundle::CsvDocument& table, std::size_t row, const std::strin
     if (given.try_emplace(set).second) study.curves.push_back(set);
     study.parameters_from = suite::ParameterSource::stored;
     study.dimension.clear();
-    sample::Cell cell{
-        .form = form.value_or(Form::bernstein), .dimension = small("dimension"), .degree = small("degree")};
+    sample::Cell cell;
+    cell.form = form.value_or(Form::bernstein);
+    cell.dimension = small("dimension");
+    cell.degree = small("degree");
     const auto input = read(
         "coefficients",
         [&](const std::string& coefficients) {
@@ -208,7 +211,7 @@ bundle::CsvTable input_table(const std::vector<suite::Suite>& suites) {
     throw Failure(
         Exit::usage,
         fmt::format("the inputs would take {:.0f} GB; choose fewer with --trials, --only or --set", bytes / largest));
-  bundle::CsvTable table(columns());
+  bundle::CsvTable table(columns_of_inputs());
   for (const auto& one : suites)
     for (const auto& study : one.studies)
       if (has_inputs(study))
