@@ -166,8 +166,8 @@ TEST(ErrorBound, HoldsForWhatEvaluateChooses) {
   }
 }
 
-/// Curves of degree 12 whose control points differ by at most 2^-29 of their distance from the origin: rounding the result
-/// is nearly all that is left, although power form amplifies coefficients by 3^12.
+/// Curves of degree 12 whose control points differ by at most 2^-29 of their distance from the origin: rounding the
+/// result is nearly all that is left, although power form amplifies coefficients by 3^12.
 TEST(ErrorBound, OfAPathThatCountsFromTheStartIsThatOfTheResultOnDistantCurves) {
   auto points = random_points<double, 2>(12, 1);
   for (auto& point : points)

@@ -221,12 +221,12 @@ TEST(Amplification, OfTheSpreadCountsFromTheNearerEnd) {
     scale.set({Form::bernstein, 1, 2, line}, t);
     return scale.bound(bound, double_arithmetic) * 0x1p53;
   };
-  EXPECT_EQ(amplified(Amplification::spread, 0.25), 1 * 2 * 0.25 * 0.75 + 3 * 0.0625);
-  EXPECT_EQ(amplified(Amplification::spread, 0.5), 1 * 0.5 + 3 * 0.25);
-  EXPECT_EQ(amplified(Amplification::spread, 0.75), 2 * 2 * 0.25 * 0.75 + 3 * 0.0625);
-  EXPECT_EQ(amplified(Amplification::spread_to_power, 0.25), 1 * 2 * 0.25 * 1.25 + 3 * 0.0625);
-  EXPECT_EQ(amplified(Amplification::spread_to_power, 0.75), 2 * 2 * 0.25 * 1.25 + 3 * 0.0625);
-  EXPECT_EQ(amplified(Amplification::spread_to_power_from_start, 0.75), 1 * 2 * 0.75 * 1.75 + 3 * 0.5625);
+  EXPECT_DOUBLE_EQ(amplified(Amplification::spread, 0.25), 1 * 2 * 0.25 * 0.75 + 3 * 0.0625);
+  EXPECT_DOUBLE_EQ(amplified(Amplification::spread, 0.5), 1 * 0.5 + 3 * 0.25);
+  EXPECT_DOUBLE_EQ(amplified(Amplification::spread, 0.75), 2 * 2 * 0.25 * 0.75 + 3 * 0.0625);
+  EXPECT_DOUBLE_EQ(amplified(Amplification::spread_to_power, 0.25), 1 * 2 * 0.25 * 1.25 + 3 * 0.0625);
+  EXPECT_DOUBLE_EQ(amplified(Amplification::spread_to_power, 0.75), 2 * 2 * 0.25 * 1.25 + 3 * 0.0625);
+  EXPECT_DOUBLE_EQ(amplified(Amplification::spread_to_power_from_start, 0.75), 1 * 2 * 0.75 * 1.75 + 3 * 0.5625);
 }
 
 /// (1/2 + z)^n sum c_i C(n,i) against C(n,j) M^(n-j) (1 + E)^j c_0 built step by step, and against the magnitudes of

@@ -3,7 +3,9 @@
 //   max|b_i|: for nk <= 1 local:differences:horner_fma, for k <= 2 local:differences:horner_corrected, else
 //   horner_bernstein_fma. About an end, power form multiplies numbers that are hardly larger than the result.
 // Source: [Farin 2002], nested multiplication; the choice is derived here.
-// Cost: dn fused multiply-adds and a sum per point; d (n + 3) and 3d + 1; or that of horner_bernstein_fma.
+// Cost: dn fused multiply-adds and a sum per point; d (n + 3) and 3d + 1; or that of horner_bernstein_fma. Times over
+//   those of horner_bernstein_fma for random t, d = 2, on a Zen 4: cubics, plain 0.95 (float 1.2) by point, 1.0 in
+//   batches, corrected 1.8 and 1.4; quadratics, plain 1.35 and 1.1, corrected 2.2 to 2.6 and 1.7.
 // Bound: that of the method that is chosen. docs/proofs/local.md has the proof.
 // Keeps: docs/proofs/local.md.
 // Fails: as horner_bernstein_fma, where k > 2. Its differences take O(n^2) to prepare. Where axes are chosen for

@@ -139,6 +139,14 @@ struct AxesOf<State<A, 1, Degree>> {
   using Type = A;
 };
 
+/// Of two curves the first, or the second, without a branch: which it is, no processor can guess for t at random.
+template <Form F, class S, int Dimension, int Degree>
+Curve<F, Axes<S, Dimension>, 1, Degree> chosen(bool is_first, const Curve<F, Axes<S, Dimension>, 1, Degree>& first,
+                                               const Curve<F, Axes<S, Dimension>, 1, Degree>& second) {
+  const S* const places[] = {second.data(), first.data()};
+  return {places[is_first ? 1 : 0], first.degree()};
+}
+
 /// A curve with its control points counted from either end.
 template <class S, int DimensionT, int DegreeT>
 class AxesFromEitherEnd {
