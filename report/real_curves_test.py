@@ -62,6 +62,16 @@ class NotMixed(unittest.TestCase):
                 for _, cells in group.rows:
                     self.assertEqual([float(cell.raw) for cell in cells], wanted)
 
+    def test_a_shipped_suite_on_sets_is_shown_as_a_users_own(self):
+        """Its chapter and its findings are about drawn curves."""
+        with tempfile.TemporaryDirectory() as place:
+            path = fixture.write_real(f"{place}/b")
+            (path / "suite.toml").write_text(fixture.real.SUITE.replace('id = "real"', 'id = "regimes"'))
+            bundle = Bundle(fixture.seal(path))
+        chapters = {chapter.id: chapter for chapter in build_all(bundle, find_all(bundle))[0]}
+        self.assertIn("real-sets-1-mean", _tables(chapters["suite-regimes"]))
+        self.assertEqual({id.split("-")[1] for id in _tables(chapters["regimes"])}, {"random", "local"})
+
     def test_the_picker_has_a_cell_for_each_set_and_placement(self):
         cells = candidates(_bundle())
         places = {cell.where for cell in cells if (cell.degree, cell.scalar) == (3, "float")}
