@@ -44,8 +44,8 @@ inline double locality_error(int degree, double u) {
   return 8 * gamma_over_u(4.0 * degree + 4, u) * u * std::ldexp(1.0, degree);
 }
 
-/// Which bounds may hold on some axis of a curve: that of local curves, that of others. The error on all axes together
-/// is at most the sum of those that do.
+/// Which bounds may hold on some axis of a curve: that of local curves, that of the other ones. The error on all axes
+/// together is at most the sum of those that do.
 struct LocalOrNot {
   bool may_be_local = false;
   bool may_be_other = false;

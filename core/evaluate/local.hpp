@@ -63,7 +63,7 @@ Point<Scalar, Dimension> evaluate_curve(const Curve<F, Scalar, Dimension, Degree
     return Method::evaluate(curve, tau);
 }
 
-/// What is the same of both kinds of local methods.
+/// The data that both kinds of local methods share.
 template <class Method, class Flops>
 constexpr MethodInfo local_info(const std::optional<ErrorBound>& bound) {
   return {.id = Joined<LocalPrefix, IdOf<Method>>::text,

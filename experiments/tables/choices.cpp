@@ -12,11 +12,24 @@
 namespace bezierbench::tables {
 namespace {
 
-/// Form, scalar, dimension and degree of the curves that a row is about.
+/// Form, scalar, dimension and degree of the curves that a row is about, and their set and placement; these are empty for
+/// drawn curves.
 using CurveKind = std::vector<std::string>;
 
+std::string set_of(const std::string& curves, const std::string& placement) {
+  return curves.empty() ? "" : curves + ' ' + placement;
+}
+
 CurveKind kind_of(const TableRow& row) {
-  return {row.text("form"), row.text("scalar"), text(row.field("dimension")), text(row.field("degree"))};
+  return {row.text("form"), row.text("scalar"), text(row.field("dimension")), text(row.field("degree")),
+          row.has("curves") ? set_of(row.text("curves"), row.text("generator")) : ""};
+}
+
+CurveKind kind_of(const ChoiceGroup& group) {
+  constexpr std::size_t placement = 3;  // of drawn_columns()
+  constexpr std::size_t curves = 4;
+  return {group.form, group.scalar, group.dimension, group.degree,
+          curves < group.drawn.size() ? set_of(group.drawn[curves], group.drawn[placement]) : ""};
 }
 
 /// The errors of the methods of one accuracy study on one kind of curve.
@@ -49,7 +62,7 @@ std::vector<std::string> drawn_of(const TableRow& row) {
 
 /// The study that judged most of the group's methods; null where none was judged.
 const Judged* best_cover(const ChoiceGroup& group, const JudgedKinds& kinds) {
-  const auto studies = kinds.find({group.form, group.scalar, group.dimension, group.degree});
+  const auto studies = kinds.find(kind_of(group));
   if (studies == kinds.end()) return nullptr;
   const auto covered = [&](const Judged& judged) {
     return std::ranges::count_if(group.choices, [&](const Choice& one) { return judged.methods.contains(one.method); });

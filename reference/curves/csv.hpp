@@ -21,7 +21,8 @@ namespace bezierbench::curves {
 /// `form` has weights, which belong to control points.
 Read read_csv(std::string_view text, const std::string& name, Form form);
 
-/// The set as CSV, each number written by `number`; read_csv() with the Bernstein form gives an equal set of the same bits.
+/// The set as CSV, each number written by `number`; read_csv() with the Bernstein form gives an equal set of the same
+/// bits.
 std::string to_csv(const CurveSet& set, std::string (*number)(double) = number::hexadecimal);
 
 /// Points without order or form, one a row below a header that names the axes.

@@ -14,9 +14,9 @@ struct NamedRead {
   Read read;
 };
 
-/// The curves of all files, in their order. Ids stay as they are in one file, and where they are different in all; else all
-/// are `STEM:ID`, STEM being the file's name without folders and extension, with a number where that occurs twice, and
-/// `STEM` for a curve without an id. Throws Unreadable for more curves than a set may have.
+/// The curves of all files, in their order. Ids stay as they are in one file, and where they are different in all; else
+/// all are `STEM:ID`, STEM being the file's name without folders and extension, with a number where that occurs twice,
+/// and `STEM` for a curve without an id. Throws Unreadable for more curves than a set may have.
 Read joined(std::span<const NamedRead> files);
 
 }  // namespace bezierbench::curves

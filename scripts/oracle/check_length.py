@@ -19,6 +19,7 @@ from drawn_curves import collinear, constant, cusp, integers, straight, uniform
 
 LENGTH = "method,length,error_estimate,evaluations,converged,exact,error".split(",")
 AT_LENGTH = "method,t,iterations,converged,exact_t,error,error_estimate,length_error".split(",")
+AXES = (["x"], ["x", "y"], ["x", "y", "z"])
 SURE = {"bracketed_newton", "halley"}  # methods that must converge
 TOLERANCE = "1e-9"
 
@@ -169,7 +170,7 @@ def judge_length(rows, curve):
 
 def judge_at_length(rows, curve, target):
     """Yields what is wrong with rows of `curve at-length`; `target` is in units of the curve."""
-    if list(rows[0]) != AT_LENGTH or not SURE <= {row["method"] for row in rows}:
+    if list(rows[0])[:len(AT_LENGTH)] != AT_LENGTH or list(rows[0])[len(AT_LENGTH):] not in AXES or not SURE <= {row["method"] for row in rows}:
         yield f"columns or methods: {rows[:1]}"
         return
     exact = float(rows[0]["exact_t"])

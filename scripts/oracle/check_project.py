@@ -66,9 +66,13 @@ def judge(program, points, target):
     exact_points, exact_target = [list(map(Fraction, p)) for p in points], list(map(Fraction, target))
     size = max(abs(x) for p in [*points, target] for x in p) or 1.0
     methods = {row["method"] for row in rows}
-    if not rows or list(rows[0]) != COLUMNS or not ALWAYS <= methods or ("quintic_seed_002" in methods) != (len(points) == 4):
+    if not rows or list(rows[0]) != [*COLUMNS, *"xyz"[:len(target)]] or not ALWAYS <= methods or ("quintic_seed_002" in methods) != (len(points) == 4):
         yield f"columns or methods: {rows[:1]} {sorted(methods)}"
         return
+    for row in rows:
+        truth = point_at(exact_points, Fraction(float(row["t"])))
+        if any(abs(Fraction(float(row[axis])) - x) > Fraction(size) / 2**50 for axis, x in zip("xyz", truth)):
+            yield f"{row['method']}: the point at t = {row['t']} is not that of the curve"
     t, distance = Fraction(float(rows[0]["exact_t"])), float(rows[0]["exact_distance"])
     if not 0 <= t <= 1:
         yield f"exact_t {float(t)} is outside [0, 1]"

@@ -44,8 +44,8 @@ fs::path shipped_folder(const char* name) {
   for (const auto& folder : {installed, link_of_build(name)})
     if (fs::is_directory(folder, ignored)) return folder;
   throw Failure(Exit::environment,
-                fmt::format("{}: the shipped {} are missing; install the program with cmake --install, or name files",
-                            installed.string(), name));
+                fmt::format("{}: is missing, and it comes with the program; install the program with cmake --install, or name files",
+                            installed.string()));
 }
 
 }  // namespace
