@@ -63,6 +63,12 @@ Point<Scalar, Dimension> evaluate_curve(const Curve<F, Scalar, Dimension, Degree
     return Method::evaluate(curve, tau);
 }
 
+/// What the range of numbers takes from the degrees of a method of Bernstein form that has a limit in float: differences
+/// are up to twice as large as coordinates.
+template <class Method>
+inline constexpr int further_degree =
+    Method::info.form == Form::bernstein&& Method::info.max_degree_float < bezierbench::max_degree ? 1 : 0;
+
 /// The data that both kinds of local methods share.
 template <class Method, class Flops>
 constexpr MethodInfo local_info(const std::optional<ErrorBound>& bound) {
@@ -70,8 +76,8 @@ constexpr MethodInfo local_info(const std::optional<ErrorBound>& bound) {
           .label = Joined<LocalLabel, LabelOf<Method>>::text,
           .form = Form::bernstein,
           .min_degree = Method::info.min_degree,
-          .max_degree = Method::info.max_degree,
-          .max_degree_float = Method::info.max_degree_float,
+          .max_degree = Method::info.max_degree - further_degree<Method>,
+          .max_degree_float = Method::info.max_degree_float - further_degree<Method>,
           .unit_interval_only = Method::info.unit_interval_only,
           .bound = bound,
           .bit_stable = Method::info.bit_stable,

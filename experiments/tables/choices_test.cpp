@@ -74,6 +74,22 @@ TEST(ChoiceGroups, TakeTheWorstOfAllCellsOfAStudy) {
   EXPECT_EQ(choice.errors.absolute.bound, 2e-15);
 }
 
+/// Times of a set are joined with the errors of this set and placement, not with those of others in the same study.
+TEST(ChoiceGroups, JoinTheErrorsOfTheSameSetAndPlacement) {
+  const auto of_set = [](Row row, const std::string& curves, const std::string& placement) {
+    row.replace("curves", curves);
+    row.replace("generator", placement);
+    return row;
+  };
+  const auto groups = groups_of(
+      {of_set(time_of("a", 5), "icons", "stored"), of_set(error_of("s", "a", {1, 2, 9, 9}), "icons", "stored"),
+       of_set(error_of("s", "a", {1, 4, 9, 9}), "icons", "translated"),
+       of_set(error_of("s", "a", {1, 8, 9, 9}), "fonts", "stored"), error_of("s", "a", {1, 16, 9, 9})});
+  ASSERT_EQ(groups.size(), 1U);
+  ASSERT_EQ(groups[0].choices.size(), 1U);
+  EXPECT_EQ(groups[0].choices[0].errors.in_u.observed, 2);
+}
+
 TEST(ChoiceGroups, HaveNoBoundWhereACellHasNone) {
   const auto groups =
       groups_of({time_of("a", 5), error_of("s", "a", {1, 2, 9, 9}),

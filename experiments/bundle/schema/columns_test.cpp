@@ -18,7 +18,7 @@ TEST(Columns, AreThoseOfTheSchemaInItsOrder) {
   ASSERT_NE(table, nullptr);
   EXPECT_THAT(table->header(), ElementsAre("study", "conversion", "degree", "coordinate_range", "generator", "trials",
                                            "mean_error", "max_error", "within_1e-5", "within_1e-3", "within_0.1",
-                                           "form", "dimension", "status", "non_finite"));
+                                           "form", "dimension", "status", "non_finite", "curves"));
   EXPECT_EQ(table->method, "conversion");
   EXPECT_TRUE(table->is_deterministic);
   EXPECT_EQ(declared_table("other.csv"), nullptr);
