@@ -22,9 +22,9 @@ struct AtLength {
                      dimension);
   }
   static std::vector<std::string> path_columns(int dimension) {
-    auto columns = AtLength::columns(dimension);
-    columns.insert(columns.begin() + 1, "segment");
-    return columns;
+    auto names = columns(dimension);
+    names.insert(names.begin() + 1, "segment");
+    return names;
   }
   static auto kernels(int dimension) { return inverse_arc_length_kernels(dimension); }
 
