@@ -18,7 +18,7 @@ from report.wording import general, interval, large, listing, scientific, shorte
 from scripts.pages.markdown import WIDTH, table
 
 DEGREES = (2, 3, 5, 12, 30)  # of those the bundle has rows of
-MISROUNDED = 0.1  # a share of coordinates that a fast method may misround on real curves
+MISROUNDED = 0.05  # a share of coordinates that a fast method may misround on real curves
 AXES = 2  # of the curves of the table
 NOISY = "~"
 MICROSECOND = 1000  # in nanoseconds

@@ -31,7 +31,7 @@ namespace bezierbench::cli {
 namespace {
 
 constexpr std::size_t most_judged = 16384;  ///< curves and parameters of a ranking: some seconds at degree 3
-constexpr double nearly_correct = 0.1;      ///< share of misrounded coordinates
+constexpr double nearly_correct = 0.05;     ///< share of misrounded coordinates
 
 /// A unit of errors, and its columns in accuracy.csv.
 struct Unit {
