@@ -49,19 +49,22 @@ ACCURACY = "the argument accuracy, here its default 1e-6: the result is accurate
 LIBRARIES = (
     Library("bezier-js", "6.1.4", "npm", ("node", "bezier_js.mjs"), (
         LENGTH._replace(why="Gauss-Legendre quadrature with 24 nodes; " + USER), POINT, SPLIT, ENDS,
-        NEAREST._replace(why="the best of 101 points, then of steps of 1/1000; " + USER), DISTANCE)),
+        NEAREST._replace(why="the best of 101 points, then of steps of 1/1000; " + USER), DISTANCE),
+        "where the nearest point is an end, `project` states the distance of a point beyond it, of the curve continued; t and the point "
+        "are accurate. Lengths are off near cusps"),
     Library("paper", "0.12.20", "npm", ("node", "paper.mjs"), tuple(
         question._replace(degrees=(3,)) for question in (
-            LENGTH, POINT, SPLIT, ENDS, NEAREST, DISTANCE, Question("at_length", BOTH, 1e-3, "of the length", USER)))),
+            LENGTH, POINT, SPLIT, ENDS, NEAREST, DISTANCE, Question("at_length", BOTH, 1e-3, "of the length", USER))),
+        "16 Gauss-Legendre nodes; lengths are off near cusps"),
     Library("svg-path-properties", "2.1.0", "npm", ("node", "svg_path_properties.mjs"), (
         LENGTH, Question("at_length", BOTH, 1e-3, "of the length", "nothing is documented; its search stops at 0.001 of the length")),
-            "asks for Node.js 22, and runs under 20"),
+        "asks for Node.js 22, and runs under 20"),
     Library("bezier-easing", "3.2.0", "npm", ("node", "bezier_easing.mjs", "bezier-easing", "import"), EASING,
-            "as `import` loads it, with its new solver"),
+        "as `import` loads it, with its new solver"),
     Library("bezier-easing-require", "3.2.0", "npm", ("node", "bezier_easing.mjs", "bezier-easing", "require"), EASING,
-            "as `require` loads it: the package's file for it still has the old solver"),
+        "as `require` loads it: the package's file for it still has the old solver"),
     Library("bezier-easing", "2.1.0", "npm", ("node", "bezier_easing.mjs", "bezier-easing-2.1.0", "require"), EASING,
-            "the latest version for years"),
+        "the version before 3"),
     Library("fonttools", "4.38.0", "debian", ("/usr/bin/python3", "fonttools.py"), (
         Question("length", (3,), 5e-3, "of the length", "the argument tolerance, by default 0.005, controls the precision"),
         LENGTH._replace(degrees=(2,), why="analytical; " + USER),
@@ -70,7 +73,8 @@ LIBRARIES = (
         Question("quadratics", (3,), 1 + 1e-9, "of the tolerance", "cu2qu: max_err is the permitted deviation; here 0.001 of the size"),
         Question("moved", (3,), 0, "pieces", "nothing is documented; users expect of a curve that is moved without rounding the same number "
                  "of quadratics (fonttools#2518)")),
-        "of 2022; splitCubicAtT keeps the ends since 4.55.7 (fonttools#3743)"),
+        "of 2022; later versions of splitCubicAtT keep the ends (fonttools#3743). A cubic that returns to its start ends calcCubicArcLength "
+        "with a RecursionError"),
     Library("kurbo", "0.7.1", "rust", ("release/kurbo",), (
         Question("length", BOTH, 1e-6, "units", ACCURACY),
         Question("length", (2,), 1e-13, "of the length", "of quadratics: accuracy should be better than 1e-13 over the entire range"),
@@ -78,11 +82,11 @@ LIBRARIES = (
         Question("distance", BOTH, 1e-6, "units", "the argument accuracy, here its default 1e-6"),
         Question("at_length", BOTH, 1e-6, "units", ACCURACY),
         Question("quadratics", (3,), 1 + 1e-9, "of the tolerance", "to_quads takes an accuracy; here 0.001 of the size")),
-        "of 2020, as Debian 12 has it"),
+        "of 2020, as Debian 12 has it; `nearest` answers with another point for some cubics that are straight lines"),
     Library("lyon_geom", "0.15.0", "rust", ("release/lyon",), (
         Question("flattened_length", BOTH, 1e-3, "of the length",
                  "the length of a polygon at most a tolerance away, here 0.0001 of the size; a user's expectation"),
-        POINT, SPLIT, ENDS), "of 2020, as Debian 12 has it"),
+        POINT, SPLIT, ENDS), "packaged 2019 to 2021, as Debian 12 has it; a cubic that goes out and back on a line may have the length 0"),
 )
 
 NPM = {"bezier-js": "6.1.4", "paper": "0.12.20", "svg-path-properties": "2.1.0", "bezier-easing": "3.2.0",
@@ -102,7 +106,7 @@ def _run(command: list[str | Path], folder: Path) -> str:
 def _install_npm(folder: Path) -> None:
     manifest = json.dumps({"private": True, "dependencies": NPM})
     written = folder / "package.json"
-    if not written.exists() or written.read_text() != manifest:
+    if not (folder / "node_modules/.package-lock.json").exists() or written.read_text() != manifest:
         written.write_text(manifest)
         _run(["npm", "install", "--no-audit", "--no-fund", "--ignore-scripts", "--silent"], folder)
     for adapter in ADAPTERS.glob("*.mjs"):  # beside node_modules, where import looks

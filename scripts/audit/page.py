@@ -24,13 +24,14 @@ SOURCES = {"npm": "npm", "debian": "Debian 12, python3-fonttools", "rust": "Debi
 HEAD = """# Audit of other libraries
 
 Written by `scripts/check audit`; every number is a sum or an extreme over [audit.csv](audit.csv), which has a row for each library, set,
-degree and question. The libraries answer live, at the versions below, for the plane cubics and quadratics of the
-[shipped sets](../../reference/curves/sets/README.md): at most 2,000 of each set and degree, in the order of the SHA-256 of their ids.
-Answers are judged by the exact functions of `libbezierbench`; every worst case is computed again without it, in rational arithmetic or
-by sums of chords and control polygons that enclose the length.
+degree and question, and its worst case. The libraries answer live, at the versions below, for the plane cubics and quadratics of the
+[shipped sets](../../reference/curves/sets/README.md), none left out; curves in space and rational ones are not part of it. Answers are
+judged by the exact functions of `libbezierbench`; every worst case is computed again without it, in rational arithmetic or by sums of
+chords and control polygons that enclose the length.
 
 *Off* counts the answers with an error above the expectation: what the library documents, or, where it documents nothing, what a user
-expects. An answer that is off is a fault only where the library promised more. `paper` has no quadratics of its own.
+expects. An answer that is off is a fault only where the library promised more. The Rust sources of Debian 12 are of 2019 to 2021, its fontTools
+of 2022: later versions may answer otherwise. `paper` has no quadratics of its own. *Median* is that of the sets' medians.
 """
 
 TAIL = """
@@ -42,19 +43,15 @@ TAIL = """
 
 `--libraries`, `--sets` and `--count` ask less. What cannot be installed is named and left out. npm, apt-get and cargo are required for
 an install; the Rust libraries are built offline. Numbers in the table are hexadecimal, so that each worst case can be computed from its
-row; `question` is what follows the control points: t, a point, a length, or a tolerance. A library is a line of
-`scripts/audit/libraries.py` and an adapter beside it.
+row; `question` is what follows the control points: t, a point, a length, or a tolerance. The control points stay under the licences of
+their sets. A library is a line of `scripts/audit/libraries.py` and an adapter beside it.
 """
 
 
 def _of(rows: Iterable[Row], library: Library, question: Question) -> list[Row]:
     expectation = f"{question.expectation:g}"
     return [row for row in rows if (row["library"], row["version"], row["problem"], row["expectation"], row["unit"]) == (
-        library.name, library.version, question.problem, expectation, question.unit) and int(row["degree"]) in question.degrees and row["max"]]
-
-
-def _size(value: str) -> str:
-    return "0" if float(value) == 0 else f"{float(value):.3g}"
+        library.name, library.version, question.problem, expectation, question.unit) and int(row["degree"]) in question.degrees]
 
 
 def _coordinates(row: Row) -> str:
@@ -64,20 +61,21 @@ def _coordinates(row: Row) -> str:
 
 def written(rows: list[Row]) -> str:
     lines = [HEAD, "## What was found", "",
-             "| library | version | asked for | degree | expectation | asked | off | median of sets | largest | worst |", "|---|---|---|---|---|---|---|---|---|---|"]
+             "| library | version | question | degree | expectation | answered | off | median | largest | worst |", "|---|---|---|---|---|---|---|---|---|---|"]
     for library in LIBRARIES:
         for question in library.questions:
             for degree in question.degrees:
                 found = [row for row in _of(rows, library, question) if row["degree"] == str(degree)]
                 if not found:
                     continue
-                worst = max(found, key=lambda row: float(row["max"]))
-                asked, off = (sum(int(row[field]) for row in found) for field in ("answered", "off"))
-                refused = sum(int(row["asked"]) for row in found) - asked
-                medians = sorted(float(row["median"]) for row in found)
+                answered, off = (sum(int(row[field]) for row in found) for field in ("answered", "off"))
+                refused = sum(int(row["asked"]) for row in found) - answered
+                errors = [row for row in found if row["max"]]
+                worst = max(errors, key=lambda row: float(row["max"]), default={"max": "nan", "set": ""})
+                medians = sorted(float(row["median"]) for row in errors) or [float("nan")]
                 lines.append(f"| {library.name} | {library.version} | {question.problem} | {degree} | {question.expectation:g} {question.unit} | "
-                             f"{asked:,}{f', {refused:,} unanswered' if refused else ''} | {f'**{off:,}**' if off else 0} | "
-                             f"{_size(str(medians[len(medians) // 2]))} | {_size(worst['max'])} | {worst['set']} |")
+                             f"{answered:,}{f', {refused:,} refused' if refused else ''} | {f'**{off:,}**' if off else 0} | "
+                             f"{medians[len(medians) // 2]:.3g} | {float(worst['max']):.3g} | {worst['set']} |")
     lines += ["", "The questions:", "", *(f"- `{name}`: {text}" for name, text in PROBLEMS.items()), "", "## What the libraries say", "",
               "| library | version | from | asked for | expectation | why |", "|---|---|---|---|---|---|"]
     for library in LIBRARIES:
@@ -92,7 +90,11 @@ def written(rows: list[Row]) -> str:
         for question in library.questions:
             if found := [row for row in _of(rows, library, question) if int(row["off"])]:
                 worst = max(found, key=lambda row: float(row["max"]))
-                answer, exact = (", ".join(f"{float.fromhex(value):.10g}" for value in worst[field].split()[:4]) for field in ("answer", "exact"))
-                lines.append(f"| {library.name} {library.version} | {question.problem} | {_size(worst['max'])} {question.unit} | "
+                shown = slice(-2, None) if question.problem == "ends" else slice(4)  # the last control point
+                answer, exact = (", ".join(f"{float.fromhex(value):.17g}" if question.problem == "ends" else f"{float.fromhex(value):.10g}"
+                                           for value in worst[field].split()[shown]) for field in ("answer", "exact"))
+                lines.append(f"| {library.name} {library.version} | {question.problem} | {float(worst['max']):.3g} {question.unit} | "
                              f"{worst['set']} `{worst['worst_curve']}` | {_coordinates(worst)} | {answer} | {exact} |")
+    lines += ["", *(f"- {row['library']} {row['version']} has no answer to `{row['problem']}` for {row['set']} `{row['unanswered']}`."
+                    for row in rows if row["unanswered"])]
     return "\n".join(lines) + "\n" + TAIL

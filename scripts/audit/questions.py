@@ -176,7 +176,7 @@ def _check_nearest(curve: Curve, asked: list[float], answer: list[float], error:
     the exact foot's distance is in rational arithmetic."""
     distances = [math.sqrt(sum((p - Fraction(q))**2 for p, q in zip(_rational(curve.points, t)[-1][0], asked)))
                  for t in (answer[0], foot(curve.points, *asked)[0])]
-    _agree(error, distances[0] - distances[1], distances[0] - distances[1], 1e-14 * curve.largest)
+    _agree(error, *[abs(distances[0] - distances[1])] * 2, 1e-14 * curve.largest)
     t = np.linspace(0, 1, 20001)[:, None]
     row = [np.array(point) + 0 * t for point in curve.points]
     while len(row) > 1:
@@ -186,7 +186,7 @@ def _check_nearest(curve: Curve, asked: list[float], answer: list[float], error:
 
 
 NEAREST = Problem(_target, lambda curve, asked: list(foot(curve.points, *asked)),
-                  lambda curve, asked, answer: max(0.0, _distance(bezierbench.exact(curve.points, answer[0]), asked)
+                  lambda curve, asked, answer: abs(_distance(bezierbench.exact(curve.points, answer[0]), asked)
                                                    - foot(curve.points, *asked)[1]), _check_nearest)
 
 
