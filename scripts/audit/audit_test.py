@@ -82,6 +82,11 @@ class Committed(unittest.TestCase):
         self.assertEqual(audit.differences(self.rows, self.rows), [])
         self.assertEqual(len(audit.differences([{**self.rows[0], "off": "9999"}], self.rows)), 1)
 
+    def test_rows_of_others_stay(self):
+        changed = {**self.rows[5], "off": "9999"}
+        self.assertEqual(audit.with_others([changed], self.rows), [*self.rows[:5], changed, *self.rows[6:]])
+        self.assertEqual(audit.with_others([], [{**self.rows[0], "version": "0"}]), [])
+
 
 if __name__ == "__main__":
     unittest.main()
