@@ -99,7 +99,7 @@ class RealCurves(unittest.TestCase):
         self.assertTrue(lines[2].endswith("| `differences:horner` | 4 % misrounded, 4 ns | 4 % misrounded, 6 ns |  |  |"), lines[2])
         first = next(line for line in lines if line.startswith("| **Fast and safe"))
         self.assertEqual([cell == "" for cell in map(str.strip, first.split("|")[3:-1])], [True, False, False, False])
-        self.assertIn("outlines (4,000 points) and icons (1,000 points)", " ".join(lines))
+        self.assertIn("sets outlines and icons (5,000 points)", " ".join(lines))
         self.assertNotIn("few (", " ".join(lines))
 
     def test_the_fastest_that_misrounds_little_on_every_set(self):

@@ -63,11 +63,11 @@ Point<Scalar, Dimension> evaluate_curve(const Curve<F, Scalar, Dimension, Degree
     return Method::evaluate(curve, tau);
 }
 
-/// What the range of numbers takes from the degrees of a method of Bernstein form that has a limit in float: differences
-/// are up to twice as large as coordinates.
+/// What the range of numbers takes from the degrees of a method that has a limit in float. Differences are up to twice
+/// as large as coordinates, and those that were converted from power form up to n + 1 times as large as its
+/// coefficients.
 template <class Method>
-inline constexpr int further_degree =
-    Method::info.form == Form::bernstein&& Method::info.max_degree_float < bezierbench::max_degree ? 1 : 0;
+inline constexpr int further_degree = Method::info.max_degree_float < bezierbench::max_degree ? 12 : 0;
 
 /// The data that both kinds of local methods share.
 template <class Method, class Flops>

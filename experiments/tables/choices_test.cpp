@@ -74,7 +74,7 @@ TEST(ChoiceGroups, TakeTheWorstOfAllCellsOfAStudy) {
   EXPECT_EQ(choice.errors.absolute.bound, 2e-15);
 }
 
-/// Times of a set are joined with the errors of this set and placement, not with those of others in the same study.
+/// Times of a set are joined with the errors of this set and placement, not with those of other sets in the same study.
 TEST(ChoiceGroups, JoinTheErrorsOfTheSameSetAndPlacement) {
   const auto of_set = [](Row row, const std::string& curves, const std::string& placement) {
     row.replace("curves", curves);

@@ -211,9 +211,9 @@ def trials_on_sets(real):
     sets = {}
     for row in (row for need in REAL for row in rows_of(real, need)):
         sets.setdefault(row["curves"], {})[row["degree"], row["generator"]] = row["trials"]
-    listed = listing(f"{name} ({large(sum(trials.values()))} points)" for name, trials in sets.items())
-    return (f"Real curves ([results/real](results/real)): the largest share on a set, of {listed}, with curves as they are stored and translated on a page; times are of curves "
-            "50 times their size away from the origin.")
+    points = sum(sum(trials.values()) for trials in sets.values())
+    return (f"Real curves ([results/real](results/real)): the largest share on one of the sets {listing(sets)} ({large(points)} points), as stored and "
+            "translated on a page; times are of curves 50 times their size from the origin.")
 
 
 def line(bundle, need, columns):
