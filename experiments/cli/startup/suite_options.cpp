@@ -43,9 +43,11 @@ fs::path shipped_folder(const char* name) {
   const auto installed = folder_of_program().parent_path() / "share/bezierbench" / name;
   for (const auto& folder : {installed, link_of_build(name)})
     if (fs::is_directory(folder, ignored)) return folder;
-  throw Failure(Exit::environment,
-                fmt::format("{}: is missing, and it comes with the program; install the program with cmake --install, or name files",
-                            installed.string()));
+  throw Failure(
+      Exit::environment,
+      fmt::format(
+          "{}: is missing, and it comes with the program; install the program with cmake --install, or name files",
+          installed.string()));
 }
 
 }  // namespace
