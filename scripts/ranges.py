@@ -27,7 +27,7 @@ def templates():
     found = {}
     for path in sorted(SUITES.glob("*.toml"), key=lambda path: (path.stem != "quick", path.stem)):
         for study in tomllib.loads(path.read_text(encoding="utf-8")).get("study", []):
-            if study["kind"] not in TIMED:
+            if study["kind"] not in TIMED and "curves" not in study:
                 found.setdefault((study["kind"], study.get("curve", "")), study)
     return list(found.values())
 
