@@ -90,6 +90,10 @@ std::vector<const MethodInfo*> companion_infos() {
   return all;
 }
 
+const suite::Kind& kind_of_inputs(const suite::Study& study) {
+  return is_kind(study, timing_kind) ? kind_named_by(study.methods).asks : suite::kind_of(study);
+}
+
 const StudyKind& timed_kind(const suite::Study& study) {
   const auto& named = kind_named_by(study.methods);
   judge::check_timed(study, named.asks);

@@ -47,6 +47,9 @@ std::unique_ptr<run::Job> make_job(const suite::Study& study, const run::JobCont
 /// The tables that a study of this kind writes wherever it has rows, by file name: one of each list.
 [[nodiscard]] std::vector<std::vector<std::string>> tables_of(const suite::Study& study);
 
+/// The kind that decides which inputs the study takes: of a timing study that of its problem, else its own.
+const suite::Kind& kind_of_inputs(const suite::Study& study);
+
 /// The kind of the problem whose methods a timing study names, else accuracy; a glob that matches evaluators means
 /// evaluation. Throws Failure(usage) for inputs and axes that the problem does not take.
 const StudyKind& timed_kind(const suite::Study& study);

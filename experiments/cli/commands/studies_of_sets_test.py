@@ -18,6 +18,8 @@ COUNT = 9  # parameters of each curve
 STUDY = {"id": '"real"', "kind": '"accuracy"', "curves": '["logo.svg"]', "parameters": str(COUNT), "parameters_from": '"grid"',
          "methods": '["de_casteljau", "correctly_rounded", "direct"]', "degree": "[3]"}
 
+TIMES = {"id": '"split"', "kind": '"timing"', "methods": '["de_casteljau_split"]', "modes": '["one_shot"]', "degree": "[3]"}
+
 
 def de_casteljau(points, t, one_minus_t):
     while len(points) > 1:
@@ -99,6 +101,14 @@ class CurveSets(Case):
         found = {(row["study"], row["form"]) for row in self.accuracy("b")}
         self.assertEqual(found, {("quick-bezier", "bernstein"), ("quick-rational", "rational")})
         self.assertEqual({row["curves"] for row in rows((self.folder / "b/projection.csv").read_text())}, {"logo"})
+
+    def test_times_are_of_the_curves_of_the_file(self):
+        """A problem that takes no curves, as interpolation, is left out."""
+        suite = self.suite(TIMES, {**TIMES, "id": '"spline"', "methods": '["c2_natural"]', "degree": None, "points": "[10]"})
+        self.fine("run", suite, "--curves", "logo.svg", "--quiet", "--out", "b")
+        timed = [row for row in rows((self.folder / "b/timing.csv").read_text()) if row["method"] == "de_casteljau_split"]
+        self.assertEqual(sorted((row["study"], row["curves"], row["degree"], row["checked"]) for row in timed),
+                         [("split", "logo", degree, "yes") for degree in "123"])
 
     def test_answers_from_elsewhere_are_judged(self):
         """Answers of de Casteljau's algorithm in Python, to the inputs as they were written, have the errors of ours."""

@@ -16,6 +16,7 @@
 #include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/sample/curve_slice.hpp"
+#include "experiments/studies/roster.hpp"
 #include "experiments/suite/fault.hpp"
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/nearest.hpp"
@@ -171,7 +172,7 @@ std::vector<std::pair<std::string, std::string>> curves_beside(std::vector<suite
 void take_curves(std::vector<suite::Suite>& suites, const std::vector<std::string>& files) {
   for (auto& one : suites) {
     std::erase_if(one.studies,
-                  [](const auto& study) { return suite::kind_of(study).inputs.sets == suite::SetUse::none; });
+                  [](const auto& study) { return studies::kind_of_inputs(study).inputs.sets == suite::SetUse::none; });
     for (auto& study : one.studies) {
       for (const auto* field : suite::fields_of(suite::kind_of(study)))
         if (field->curves == suite::Curves::drawn) study.places.keys.erase(std::string(field->key));

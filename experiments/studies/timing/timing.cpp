@@ -143,7 +143,7 @@ constexpr std::array timing_fields{
     suite::field<&suite::Study::published>(suite::published_key)};
 
 suite::Finding check_timing(const suite::Study& study, const suite::Vocabulary& known) {
-  if (study.degree.empty() && study.points.empty())
+  if (study.degree.empty() && study.points.empty() && !suite::has_sets(study))
     return suite::Fault{
         "degree", 0, {}, "degree is missing; kind \"timing\" requires degree or points; add degree = [3, 5]"};
   if (auto found = suite::each("modes", study.modes, [](suite::Mode) { return std::string(); })) return found;
