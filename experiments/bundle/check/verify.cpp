@@ -11,6 +11,7 @@
 #include <set>
 
 #include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/check/coverage.hpp"
 #include "experiments/bundle/check/few_lines.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
