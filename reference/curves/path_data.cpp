@@ -83,11 +83,11 @@ class Scanner {
   [[nodiscard]] bool done() const { return at_ == text_.size(); }
   [[nodiscard]] char peek() const { return done() ? '\0' : text_[at_]; }
   [[nodiscard]] bool at_number() const { return is_digit(peek()) || peek() == '.' || peek() == '-' || peek() == '+'; }
-  /// Whether a comma stands where no number follows it.
+  /// Whether a comma is followed by something other than a number.
   [[nodiscard]] bool after_comma() const { return after_comma_; }
   char take() { return text_[at_++]; }
   [[nodiscard]] std::string shown() const {
-    return done() ? "the end" : fmt::format("\"{}\"", echo(text_.substr(at_, 20)));
+    return done() ? "the path ends" : fmt::format("there is \"{}\"", echo(text_.substr(at_, 20)));
   }
 
   double number() {
@@ -104,10 +104,9 @@ class Scanner {
     const auto whole = digits();
     if (peek_at() == '.') {
       ++end;
-      if (digits() == 0)
-        refuse(fmt::format("here {} stands, where a number must; write a digit after the point", shown()));
+      if (digits() == 0) refuse(fmt::format("{} where a number is required; write a digit after the point", shown()));
     } else if (whole == 0) {
-      refuse(fmt::format("here {} stands, where a number must; add it, or remove its command", shown()));
+      refuse(fmt::format("{} where a number is required; add it, or remove its command", shown()));
     }
     if (peek_at() == 'e' || peek_at() == 'E') {
       const auto before = end++;
@@ -124,7 +123,7 @@ class Scanner {
   bool flag() {
     after_comma_ = false;
     if (peek() != '0' && peek() != '1')
-      refuse(fmt::format("here {} stands, where a flag of an arc must, 0 or 1; write radii, rotation, two flags, point",
+      refuse(fmt::format("{} where a flag of an arc is required, 0 or 1; write radii, rotation, two flags, point",
                          shown()));
     return take() == '1';
   }
@@ -145,11 +144,10 @@ class Drawing {
   void run() {
     scanner_.skip_blanks();
     if (!scanner_.done() && scanner_.peek() != 'M' && scanner_.peek() != 'm')
-      scanner_.refuse(fmt::format("path data begin with {}; they must begin with M or m", scanner_.shown()));
+      scanner_.refuse(fmt::format("{} where the first command is required, M or m", scanner_.shown()));
     while (!scanner_.done()) {
       if (std::string_view("MmLlHhVvCcSsQqTtAaZz").find(scanner_.peek()) == std::string_view::npos)
-        scanner_.refuse(
-            fmt::format("here {} stands, where a command must, one of MmLlHhVvCcSsQqTtAaZz", scanner_.shown()));
+        scanner_.refuse(fmt::format("{} where a command is required, one of MmLlHhVvCcSsQqTtAaZz", scanner_.shown()));
       run_command(scanner_.take());
     }
   }
@@ -171,8 +169,7 @@ class Drawing {
       scanner_.skip_separator();
     } while (scanner_.at_number());
     if (scanner_.after_comma())
-      scanner_.refuse(
-          fmt::format("here {} stands after a comma, where a number must; remove the comma", scanner_.shown()));
+      scanner_.refuse(fmt::format("{} after a comma, where a number is required; remove the comma", scanner_.shown()));
   }
 
   [[nodiscard]] double next() {

@@ -142,7 +142,7 @@ TEST(Svg, ErrorsNameTheirPlace) {
                                      {"", "is not XML"},
                                      {"\xFF\xFE<", "UTF-8"},
                                      {"\x1F\x8B", "gunzip"},
-                                     {"<svg><path d='M0,0 C'/></svg>", "the end"}})
+                                     {"<svg><path d='M0,0 C'/></svg>", "the path ends"}})
     EXPECT_THAT(refusal_of(text), HasSubstr(needle)) << text;
 }
 
