@@ -13,8 +13,9 @@ namespace bezierbench {
 
 /// The bound of a conversion states what its coefficient errors can do to the curve: on each axis
 /// sum |computed - true coefficient| |basis function(t)| <= factor u A + underflow eta S (x + y)^n.
-/// `coefficient_growth(n)` bounds max|converted| / max|given|. Where it declares `of_differences`, coefficient 0 is b_0
-/// and the others are made from differences of control points, so that in A |c_i - c_0| may stand for |c_i|.
+/// `coefficient_growth(n)` bounds max|converted| / max|given|. A conversion that declares `of_differences` keeps b_0 as
+/// coefficient 0 and computes the others from differences of control points: moving the whole curve does not change
+/// them, and its bound also holds with |c_i - c_0| for every |c_i| in A.
 template <class C>
 concept Conversion = requires(const Curve<C::info.form, double, 2>& curve) {
   requires C::info.problem == Problem::conversion;

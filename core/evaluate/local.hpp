@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Formula: p = b + d(tau) with b the end of the curve that t is nearer to, tau = t or 1-t the parameter from there,
-//   and d the curve of the differences b_i - b, which the evaluator evaluates. By way of power form only the conversion
-//   subtracts: b is the constant coefficient, which the evaluator adds last.
+// Formula: p = b + d(tau). For t <= 1/2 the end b is b_0 and tau is t; else b is b_n and tau is 1-t. The evaluator
+//   evaluates d, whose control points are the differences b_i - b, counted from b. By way of power form only the
+//   conversion subtracts: b is the constant coefficient, which the evaluator adds last.
 // Source: derived here. Differences of numbers within a factor of two of each other are exact ([Sterbenz 1974]).
 // Cost: that of the evaluator and d + 1 sums, or 1 by way of power form.
 // Bound: u |p| + (1 + u) (1 + f + f u) u sum |b_i - b| B_i(t) for 0 <= t <= 1, with f the factor of the evaluator; by

@@ -19,7 +19,7 @@ namespace bezierbench {
 // differences lie side by side in a vector. The bits are those of the sums one by one: an element adds the same numbers
 // in the same order, and zeros.
 
-/// For curves of degree 2 or 3, whose product has 4 or 6 coefficients.
+/// The product for a curve of degree n = 2 or 3. It has 2n coefficients, and its sums are written out.
 template <int Dimension, int Degree>
 class WrittenOutProduct {
   static_assert(Degree == 2 || Degree == 3);

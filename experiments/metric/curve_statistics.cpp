@@ -9,6 +9,7 @@
 #include <map>
 #include <tuple>
 
+#include "experiments/metric/error_units.hpp"
 #include "experiments/metric/order_statistics.hpp"
 
 namespace bezierbench::metric {
@@ -27,21 +28,6 @@ struct Group {
 /// What large coordinates are multiplied by before they are subtracted; the differences of small ones lose nothing.
 double scale_of(const CurveView<double>& curve) {
   return std::ranges::any_of(curve.coefficients, [](double x) { return std::abs(x) > 1; }) ? 0.5 : 1;
-}
-
-/// The largest extent along an axis, times `scale`.
-double scaled_size_of(const CurveView<double>& curve, double scale) {
-  double size = 0;
-  for (int axis = 0; axis < curve.dimension; ++axis) {
-    double low = curve(axis, 0);
-    double high = low;
-    for (int i = 1; i <= curve.degree; ++i) {
-      low = std::min(low, curve(axis, i));
-      high = std::max(high, curve(axis, i));
-    }
-    size = std::max(size, scale * high - scale * low);
-  }
-  return size;
 }
 
 /// Control point i from the first one, in units of the largest extent, so that no square overflows or vanishes.
@@ -99,7 +85,7 @@ void add_shape(const CurveView<double>& curve, Group& to) {
     point = point && same;
   }
   const double scale = scale_of(curve);
-  const double scaled_size = scaled_size_of(curve, scale);
+  const double scaled_size = size_of(curve, scale);
   to.sizes.push_back(scaled_size / scale);
   if (point) {
     ++to.group.points;

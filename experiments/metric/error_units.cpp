@@ -5,7 +5,7 @@
 
 namespace bezierbench::metric {
 
-double size_of(const CurveView<double>& curve) {
+double size_of(const CurveView<double>& curve, double scale) {
   if (curve.form == Form::power) return 0;
   double size = 0;
   for (int axis = 0; axis < curve.dimension; ++axis) {
@@ -15,7 +15,7 @@ double size_of(const CurveView<double>& curve) {
       low = std::min(low, curve(axis, i));
       high = std::max(high, curve(axis, i));
     }
-    size = std::max(size, high - low);
+    size = std::max(size, scale * high - scale * low);
   }
   return size;
 }

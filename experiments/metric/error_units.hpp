@@ -20,7 +20,7 @@ inline ErrorLanes in_units(const ErrorLanes& errors, const ErrorLanes& divisors,
 }
 
 /// The size of a curve: the largest extent of its control points along an axis. 0 in power form, whose coefficients are not
-/// points.
-double size_of(const CurveView<double>& curve);
+/// points. Coordinates are multiplied by `scale` before they are subtracted, and so is the size.
+double size_of(const CurveView<double>& curve, double scale = 1);
 
 }  // namespace bezierbench::metric

@@ -11,11 +11,11 @@
 #include <numeric>
 #include <optional>
 #include <stdexcept>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
 #include "reference/curves/place.hpp"
+#include "reference/number/csv_records.hpp"
 #include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
@@ -38,87 +38,6 @@ bool has_numbers_only(std::string_view line) {
   return any;
 }
 
-/// Cuts a text into records, one at a time.
-class Records {
- public:
-  Records(std::string_view text, const std::string& name) : text_(text), name_(name) {}
-
-  [[nodiscard]] bool done() const { return position_ == text_.size(); }
-  /// The line, from 1, at which the last record begins.
-  [[nodiscard]] std::size_t line() const { return record_line_; }
-  [[nodiscard]] const std::string& name() const { return name_; }
-  /// Fields of the last record; valid until the next one.
-  [[nodiscard]] const std::vector<std::string_view>& fields() const { return fields_; }
-
-  [[noreturn]] void refuse(std::size_t line, std::string_view what) const {
-    throw Unreadable(fmt::format("{}:{}: {}", name_, line, what));
-  }
-
-  void next() {
-    record_line_ = line_;
-    fields_.clear();
-    unquoted_.clear();
-    if (take_line_end()) refuse(record_line_, "blank line; remove it");
-    for (;;) {
-      fields_.push_back(peek() == '"' ? quoted() : plain());
-      if (done() || take_line_end()) break;
-      if (peek() != ',')
-        refuse(line_, "text after a closing quote; put the whole field in quotes, inner quotes doubled");
-      ++position_;
-    }
-    for (auto& [field, text] : unquoted_) fields_[field] = text;
-  }
-
- private:
-  [[nodiscard]] char peek() const { return done() ? '\0' : text_[position_]; }
-
-  bool take_line_end() {
-    const auto rest = text_.substr(position_);
-    const std::size_t length = rest.starts_with("\r\n") ? 2 : (rest.starts_with('\n') ? 1 : 0);
-    position_ += length;
-    line_ += length > 0 ? 1 : 0;
-    return length > 0;
-  }
-
-  std::string_view plain() {
-    const auto end = std::min(text_.find_first_of(",\r\n\"", position_), text_.size());
-    const auto field = text_.substr(position_, end - position_);
-    position_ = end;
-    if (peek() == '"') refuse(line_, "quote inside a field; put the whole field in quotes, inner quotes doubled");
-    if (peek() == '\r' && !text_.substr(position_).starts_with("\r\n"))
-      refuse(line_, "carriage return without a line feed; end lines with \\n or \\r\\n");
-    return field;
-  }
-
-  std::string_view quoted() {
-    const auto first_line = line_;
-    const auto begin = ++position_;
-    std::string text;
-    for (bool plain = true;; plain = false) {
-      const auto quote = text_.find('"', position_);
-      if (quote == std::string_view::npos) refuse(first_line, "quote is never closed; close it or restore the file");
-      const auto part = text_.substr(position_, quote - position_);
-      line_ += static_cast<std::size_t>(std::ranges::count(part, '\n'));
-      position_ = quote + 1;
-      if (peek() != '"' && plain) return text_.substr(begin, quote - begin);
-      text += part;
-      if (peek() != '"') break;
-      text += '"';
-      ++position_;
-    }
-    unquoted_.emplace_back(fields_.size(), std::move(text));
-    return {};
-  }
-
-  std::string_view text_;
-  const std::string& name_;
-  std::size_t position_ = 0;
-  std::size_t line_ = 1;
-  std::size_t record_line_ = 1;
-  std::vector<std::string_view> fields_;
-  std::vector<std::pair<std::size_t, std::string>> unquoted_;  ///< fields with doubled quotes
-};
-
 /// The places of the columns in a record.
 struct Columns {
   std::vector<std::size_t> axes;
@@ -129,35 +48,14 @@ struct Columns {
   std::optional<std::size_t> t;
 };
 
-std::vector<std::string> header_of(Records& records) {
-  records.next();
-  std::vector<std::string> header(records.fields().begin(), records.fields().end());
-  std::unordered_set<std::string_view> seen;
-  for (const auto& name : header) {
-    if (name.empty()) records.refuse(1, "a column has no name; name every column");
-    if (!seen.insert(name).second) records.refuse(1, fmt::format("column '{}' occurs twice; keep one", echo(name)));
-  }
-  return header;
-}
-
-[[noreturn]] void refuse_header(const std::vector<std::string>& header, const Records& records,
+[[noreturn]] void refuse_header(const std::vector<std::string>& header, const CsvRecords& records,
                                 std::string_view instead) {
   records.refuse(1,
                  fmt::format("header is \"{}\"; write {}", echo(fmt::format("{}", fmt::join(header, ","))), instead));
 }
 
-/// The next record, which must have as many fields as the header.
-void take_row(Records& records, std::size_t fields) {
-  const auto counted = [](std::size_t count) { return fmt::format("{} {}", count, count == 1 ? "field" : "fields"); };
-  records.next();
-  if (records.fields().size() != fields)
-    records.refuse(records.line(),
-                   fmt::format("row has {}, the header has {}; add or remove fields, or restore the file",
-                               counted(records.fields().size()), fields));
-}
-
 /// The finite number in a field of row number `row`, from 1.
-double number_at(const Records& records, std::size_t row, std::size_t column, const std::string& name) {
+double number_at(const CsvRecords& records, std::size_t row, std::size_t column, const std::string& name) {
   const auto text = records.fields()[column];
   const auto value = number::parse_number(text);
   if (!value || !std::isfinite(*value))
@@ -166,7 +64,7 @@ double number_at(const Records& records, std::size_t row, std::size_t column, co
   return *value;
 }
 
-Columns columns_of(const std::vector<std::string>& header, const Records& records) {
+Columns columns_of(const std::vector<std::string>& header, const CsvRecords& records) {
   Columns columns;
   std::size_t known = 0;
   const auto place = [&](std::string_view name) -> std::optional<std::size_t> {
@@ -198,12 +96,12 @@ Columns columns_of(const std::vector<std::string>& header, const Records& record
 /// Reads the curves of a file one after the other, row by row.
 class Reader {
  public:
-  Reader(Records& records, Form form)
-      : records_(records), header_(header_of(records)), columns_(columns_of(header_, records)), form_(form) {}
+  Reader(CsvRecords& records, Form form)
+      : records_(records), header_(records.header()), columns_(columns_of(header_, records)), form_(form) {}
 
   Read read() {
     while (!records_.done()) {
-      take_row(records_, header_.size());
+      records_.next_row();
       ++row_;
       add_row();
     }
@@ -362,7 +260,7 @@ class Reader {
     if (first < set.size()) refuse_repeated(first_lines_[first], set.id(first));
   }
 
-  Records& records_;
+  CsvRecords& records_;
   std::vector<std::string> header_;
   Columns columns_;
   Form form_;
@@ -373,48 +271,29 @@ class Reader {
   std::vector<std::uint32_t> first_lines_;
 };
 
-/// The records of a text that can be CSV with a header.
-Records records_of(std::string_view text, const std::string& name) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  Records records(text, name);
-  const auto first = text.substr(0, text.find('\n'));
+/// The records of a text that has a header.
+CsvRecords records_of(std::string_view text, const std::string& name) {
+  CsvRecords records(text, name);
+  const auto first = records.rest().substr(0, records.rest().find('\n'));
   if (has_numbers_only(first))
     records.refuse(1, fmt::format("header is missing, the first line is data, \"{}\"; write x, or x,y, or x,y,z above "
                                   "it, and separate numbers by commas, without brackets or blanks",
                                   echo(first)));
-  if (text.empty()) records.refuse(1, "file is empty; it needs a header that names the columns");
-  if (const auto at = first_unprintable(text); at != std::string_view::npos)
-    records.refuse(1 + static_cast<std::size_t>(std::ranges::count(text.substr(0, at), '\n')),
-                   fmt::format("character {}, which is not text; the file is damaged or not CSV: restore it",
-                               printable(text.substr(at, 1))));
   return records;
 }
 
-/// `text` as a field, quoted where required.
-std::string quoted_field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string field = "\"";
-  for (const char c : text) {
-    if (c == '"') field += '"';
-    field += c;
+/// What `read` makes of the records of a text.
+auto read_records(std::string_view text, const std::string& name, const auto& read) {
+  try {
+    auto records = records_of(text, name);
+    return read(records);
+  } catch (const CsvFault& fault) {
+    throw Unreadable(fault.what());
   }
-  return field + '"';
 }
 
-}  // namespace
-
-Read read_csv(std::string_view text, const std::string& name, Form form) {
-  auto records = records_of(text, name);
-  return Reader(records, form).read();
-}
-
-bool PointList::ends_where_it_starts() const {
-  return std::equal(coordinates.begin(), coordinates.begin() + dimension, coordinates.end() - dimension);
-}
-
-PointList read_points_csv(std::string_view text, const std::string& name) {
-  auto records = records_of(text, name);
-  const auto header = header_of(records);
+PointList read_points(CsvRecords& records) {
+  const auto header = records.header();
   PointList points;
   std::vector<std::size_t> columns;
   for (const auto axis : axes) {
@@ -425,12 +304,26 @@ PointList read_points_csv(std::string_view text, const std::string& name) {
   if (columns.empty() || columns.size() != header.size()) refuse_header(header, records, "x, or x,y, or x,y,z");
   points.dimension = static_cast<int>(columns.size());
   while (!records.done()) {
-    take_row(records, header.size());
+    records.next_row();
     for (const auto column : columns)
       points.coordinates.push_back(number_at(records, points.count() + 1, column, header[column]));
     points.lines.push_back(records.line());
   }
   return points;
+}
+
+}  // namespace
+
+Read read_csv(std::string_view text, const std::string& name, Form form) {
+  return read_records(text, name, [&](CsvRecords& records) { return Reader(records, form).read(); });
+}
+
+bool PointList::ends_where_it_starts() const {
+  return std::equal(coordinates.begin(), coordinates.begin() + dimension, coordinates.end() - dimension);
+}
+
+PointList read_points_csv(std::string_view text, const std::string& name) {
+  return read_records(text, name, read_points);
 }
 
 std::string to_csv(const CurveSet& set, std::string (*number)(double)) {
@@ -450,7 +343,7 @@ std::string to_csv(const CurveSet& set, std::string (*number)(double)) {
   for (std::size_t k = 0; k < set.size(); ++k) {
     const auto curve = set[k];
     const auto ts = set.parameters(k);
-    const auto id = quoted_field(set.id(k));
+    const auto id = csv_field(set.id(k));
     const auto coefficients = static_cast<std::size_t>(curve.degree) + 1;
     for (std::size_t i = 0; i < std::max(coefficients, ts.size()); ++i) {
       fmt::format_to(std::back_inserter(text), "{},{}", id, i);

@@ -42,9 +42,9 @@ class Path {
   void cubic_to(const PlanePoint& first, const PlanePoint& second, const PlanePoint& p);
   /// A rational quadratic with the weights 1, `weight`, 1.
   void conic_to(const PlanePoint& control, double weight, const PlanePoint& p);
-  /// An elliptic arc as in [SVG 2, section 9.5.1]: a line where a radius is 0, nothing where it ends at its start,
-  /// radii that are too small are scaled up. Where the chord is a diameter to within rounding, the arc is half the
-  /// ellipse.
+  /// An elliptic arc, see [SVG 2, section 9.5.1]. It is a line where a radius is 0, and nothing where it ends at its
+  /// start. Radii too small to reach the end are scaled up until they do: the arc is then half an ellipse, as it is
+  /// where rounding hides whether the chord is a diameter.
   void arc_to(const PlanePoint& radii, double degrees, bool large, bool sweep, const PlanePoint& p);
   /// A line back to the start of the subpath; left out, and counted, where that is the current point.
   void close();

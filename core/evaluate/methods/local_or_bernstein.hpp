@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Formula: on each axis, with q_j the power coefficients about either end and k the larger sum_(j>0) |q_j| 2^-j /
-//   max|b_i|: for nk <= 1 local:differences:horner_fma, for k <= 2 local:differences:horner_corrected, else
-//   horner_bernstein_fma. About an end, power form multiplies numbers that are hardly larger than the result.
+// Formula: on each axis, with k its locality (core/bound/locality.hpp): for nk <= 1 local:differences:horner_fma, for
+//   k <= 2 local:differences:horner_corrected, else horner_bernstein_fma. About an end, power form multiplies numbers
+//   that are hardly larger than the result.
 // Source: [Farin 2002], nested multiplication; the choice is derived here.
-// Cost: dn fused multiply-adds and a sum per point; d (n + 3) and 3d + 1; or that of horner_bernstein_fma. Times over
-//   those of horner_bernstein_fma for random t, d = 2, on a Zen 4: cubics, plain 0.95 (float 1.2) by point, 1.0 in
-//   batches, corrected 1.8 and 1.4; quadratics, plain 1.35 and 1.1, corrected 2.2 to 2.6 and 1.7.
+// Cost: plain, dn fused multiply-adds and a sum per point; corrected, d (n + 3) and 3d + 1; else that of
+//   horner_bernstein_fma. results/real has the times on curves.
 // Bound: that of the method that is chosen. docs/proofs/local.md has the proof.
 // Keeps: docs/proofs/local.md.
 // Fails: as horner_bernstein_fma, where k > 2. Its differences take O(n^2) to prepare. Where axes are chosen for
@@ -18,6 +17,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "core/bound/locality.hpp"
 #include "core/convert/differences.hpp"
 #include "core/evaluate/guarantee.hpp"
 #include "core/evaluate/local.hpp"
@@ -82,9 +82,8 @@ struct LocalOrBernstein {
     const auto scaled = HornerBernstein::prepare(curve).scaled;
     Curve<Form::power, Scalar, Dimension, Degree> choice(curve.degree());
     for (int axis = 0; axis < Dimension; ++axis) {
-      const Scalar half = Scalar(1) / Scalar(2);
       const auto [size, largest] = sizes(curve, from_start, from_end, axis);
-      const auto is_local = half * size <= largest;  // false where the size overflows
+      const auto is_local = Scalar(1 / most_local) * size <= largest;  // false where the size overflows
       const Scalar chosen =
           select(Scalar(curve.degree()) * size <= largest, Scalar(1), select(is_local, Scalar(2), Scalar(0)));
       for (int i = 0; i <= curve.degree(); ++i) {
