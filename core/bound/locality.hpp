@@ -15,8 +15,8 @@ namespace bezierbench {
 /// A curve is local on an axis where this, as a method computes it, is at most 2.
 inline constexpr double most_local = 2;
 
-/// On one axis: sum_(j>0) |q_j| 2^-j / max|b_i|, with q_j the power coefficients about b_0 or about b_n, whichever gives
-/// the larger sum; 0 where all b_i are 0. b(i) is the coordinate of control point i.
+/// On one axis: sum_(j>0) |q_j| 2^-j / max|b_i|, with q_j the power coefficients about b_0 or about b_n, of which the
+/// larger sum counts; 0 where all b_i are 0. b(i) is the coordinate of control point i.
 template <class Coordinate>
 double locality(int degree, const Coordinate& b) {
   std::array<double, max_degree + 1> difference;

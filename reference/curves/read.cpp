@@ -53,6 +53,8 @@ Kind kind_of(std::string_view contents) {
 
 }  // namespace
 
+bool has_known_extension(const std::string& name) { return kind_of_name(name).has_value(); }
+
 Read read(std::string_view contents, const std::string& name, const ReadOptions& options) {
   if (contents.size() > most_bytes)
     throw Unreadable(

@@ -36,6 +36,9 @@ struct ReadOptions {
   Form form = Form::bernstein;
 };
 
+/// Whether `name` ends with an extension that decides the kind of a file for read().
+bool has_known_extension(const std::string& name);
+
 /// Reads the contents of a file. `name` decides the kind by its extension (.csv, .svg, .ttf, .otf, .ttc, .woff, .woff2,
 /// .json, .txt for bare path data) and is named in messages; without a known extension the contents decide. Throws
 /// Unreadable.

@@ -110,6 +110,13 @@ class CurveSets(Case):
         self.assertEqual(sorted((row["study"], row["curves"], row["degree"], row["checked"]) for row in timed),
                          [("split", "logo", degree, "yes") for degree in "123"])
 
+    def test_one_path_of_a_file_whatever_the_case_of_its_name(self):
+        shutil.move(self.folder / "logo.svg", self.folder / "LOGO.SVG")
+        self.fine("run", self.suite({**STUDY, "curves": None, "parameters": None, "parameters_from": None}), "--curves", "LOGO.SVG#a:*",
+                  "--quiet", "--out", "b")
+        kept, = (self.folder / "b").glob("curves_*.csv")
+        self.assertEqual({row["curve"].split(":")[0] for row in rows(kept.read_text())}, {"a"})
+
     def test_answers_from_elsewhere_are_judged(self):
         """Answers of de Casteljau's algorithm in Python, to the inputs as they were written, have the errors of ours."""
         suite = self.suite({**STUDY, "methods": '["de_casteljau"]'})

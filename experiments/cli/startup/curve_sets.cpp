@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/digest.hpp"
@@ -22,6 +22,7 @@
 #include "experiments/suite/nearest.hpp"
 #include "experiments/suite/pattern.hpp"
 #include "reference/curves/csv.hpp"
+#include "reference/curves/read.hpp"
 #include "reference/number/echo.hpp"
 
 namespace bezierbench::cli {
@@ -38,9 +39,14 @@ struct Entry {
 };
 
 bool names_file(const std::string& word) {
-  constexpr std::array extensions{".csv", ".svg", ".ttf", ".otf", ".ttc", ".woff", ".woff2", ".json", ".txt"};
-  return word.find('/') != std::string::npos ||
-         std::ranges::any_of(extensions, [&](const char* end) { return word.ends_with(end); });
+  return word.find('/') != std::string::npos || curves::has_known_extension(word);
+}
+
+/// An entry of `curves` as the set and the glob behind its last `#`. A file in `folder` of the whole name comes first.
+std::pair<std::string, std::string> set_and_glob(const fs::path& folder, const std::string& text) {
+  const auto mark = text.rfind('#');
+  if (mark == std::string::npos || fs::exists(folder / text)) return {text, {}};
+  return {text.substr(0, mark), text.substr(mark + 1)};
 }
 
 /// The file name of a copy of the set, without what begins and ends it.
@@ -58,13 +64,10 @@ std::string id_of(const fs::path& file) {
 }
 
 Entry entry_of(const suite::Study& study, std::size_t number) {
-  std::string word = study.curves[number];
   const fs::path folder = fs::path(study.places.file).parent_path();
+  const auto [word, glob] = set_and_glob(folder, study.curves[number]);
   Entry entry;
-  if (const auto mark = word.rfind('#'); mark != std::string::npos && !fs::exists(folder / word)) {
-    entry.glob = word.substr(mark + 1);
-    word.erase(mark);
-  }
+  entry.glob = glob;
   if (names_file(word)) {
     entry.file = folder / word;
     entry.id = id_of(entry.file);
@@ -178,7 +181,8 @@ void take_curves(std::vector<suite::Suite>& suites, const std::vector<std::strin
         if (field->curves == suite::Curves::drawn) study.places.keys.erase(std::string(field->key));
       study.places.keys["curve"];  // only curves of this form, stated or not
       study.curves.clear();
-      for (const auto& file : files) study.curves.push_back(names_file(file) ? fs::absolute(file).string() : file);
+      for (const auto& file : files)
+        study.curves.push_back(names_file(set_and_glob({}, file).first) ? fs::absolute(file).string() : file);
       study.curves_sha256.clear();
       study.degree.clear();
       study.dimension.clear();
