@@ -212,8 +212,10 @@ def trials_on_sets(real):
     for row in (row for need in REAL for row in rows_of(real, need)):
         sets.setdefault(row["curves"], {})[row["degree"], row["generator"]] = row["trials"]
     points = sum(sum(trials.values()) for trials in sets.values())
+    timed = (row for need in REAL for row in real["timing.csv"].select(study=need.times) if row["degree"] is not None)  # not the sentinel
+    distances = distinct(timed, "coordinate_range")
     return (f"Real curves ([results/real](results/real)): the largest share on one of the sets {listing(sets)} ({large(points)} points), as stored and "
-            "translated on a page; times are of curves 50 times their size from the origin.")
+            f"translated on a page; times are of curves {listing(map(shortest, distances))} times their size from the origin.")
 
 
 def line(bundle, need, columns):
