@@ -22,7 +22,6 @@
 namespace bezierbench::curves {
 namespace {
 
-constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
 constexpr std::size_t most_parameters = std::numeric_limits<std::uint16_t>::max();
 
 /// Whether a line has numbers only, separated in any way that data are found in.
@@ -73,7 +72,7 @@ Columns columns_of(const std::vector<std::string>& header, const CsvRecords& rec
     ++known;
     return static_cast<std::size_t>(found - header.begin());
   };
-  for (const auto axis : axes) {
+  for (const auto axis : axis_names) {
     const auto found = place(axis);
     if (!found) break;
     columns.axes.push_back(*found);
@@ -296,7 +295,7 @@ PointList read_points(CsvRecords& records) {
   const auto header = records.header();
   PointList points;
   std::vector<std::size_t> columns;
-  for (const auto axis : axes) {
+  for (const auto axis : axis_names) {
     const auto found = std::ranges::find(header, axis);
     if (found == header.end()) break;
     columns.push_back(static_cast<std::size_t>(found - header.begin()));
@@ -338,7 +337,8 @@ std::string to_csv(const CurveSet& set, std::string (*number)(double)) {
     parameters = parameters || !set.parameters(k).empty();
   }
   std::string text = fmt::format("curve,index{}", forms ? ",form" : "");
-  for (int axis = 0; axis < dimension; ++axis) text += fmt::format(",{}", axes.at(static_cast<std::size_t>(axis)));
+  for (int axis = 0; axis < dimension; ++axis)
+    text += fmt::format(",{}", axis_names.at(static_cast<std::size_t>(axis)));
   text += fmt::format("{}{}\n", weights ? ",w" : "", parameters ? ",t" : "");
   for (std::size_t k = 0; k < set.size(); ++k) {
     const auto curve = set[k];

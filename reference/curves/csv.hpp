@@ -4,6 +4,7 @@
 // points are not premultiplied by their weights. A file without the column `curve` is one curve.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,9 @@
 #include "reference/number/number.hpp"
 
 namespace bezierbench::curves {
+
+/// The axes, as columns and messages name them.
+inline constexpr std::array<std::string_view, 3> axis_names{"x", "y", "z"};
 
 /// Reads a set. Columns may stand in any order. In a file with the column `curve` the field `w` is empty for polynomial
 /// curves, fields of the last axes are empty for curves of a lower dimension, and rows below the last coefficient of a

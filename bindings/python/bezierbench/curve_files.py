@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Files of curves: CSV, SVG, path data, JSON."""
+"""Files of curves: CSV, SVG, path data, JSON, fonts."""
 
 from __future__ import annotations
 
@@ -41,8 +41,8 @@ def _curve(handle: ctypes.c_void_p, index: int) -> FileCurve:
 
 
 def curves(file: str | os.PathLike[str]) -> list[FileCurve]:
-    """The curves of a file: CSV, SVG, SVG path data or JSON, by its extension or else by what is in it. Lines are curves of degree 1,
-    arcs rational ones of degree 2. Raises Error with one line about a file that cannot be read."""
+    """The curves of a file: CSV, SVG, SVG path data, JSON or a font, by its extension or else by what is in it. Lines are curves of
+    degree 1, arcs rational ones of degree 2. Raises Error with one line about a file that cannot be read."""
     handle = ctypes.c_void_p()
     message = ctypes.create_string_buffer(_LONGEST_MESSAGE)
     status = library.bb_curves_read(os.fsencode(file), message, len(message), ctypes.byref(handle))

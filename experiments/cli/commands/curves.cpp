@@ -89,15 +89,14 @@ void describe_curves(const CurvesOptions& options) {
 
 void add_curves(Command program, Exit& /*exit*/) {
   auto options = std::make_shared<CurvesOptions>();
-  auto command = program.command("curves", "say what curves are in files: CSV, SVG, path data, JSON");
+  auto command = program.command("curves", "say what curves are in files: CSV, SVG, path data, JSON, fonts");
   command.option("FILE", options->files, "file of curves; - is standard input").required();
   command.option("--out", options->out, "write them as one set, with hexadecimal numbers").takes("SET.csv");
   command.option("--format", options->format, "csv has all digits").one_of({"text", "csv"});
   command.footer(
       "size is the largest extent of the control points along an axis, distance the largest magnitude of a coordinate "
       "over the size. Points, coincident ends and neighbours, collinear and monotone curves are counted by their "
-      "control "
-      "points. Of SVG, viewBox, style sheets and CSS transforms are not applied.");
+      "control points. Of SVG, viewBox, style sheets and CSS transforms are not applied.");
   command.action([options] { describe_curves(*options); });
 }
 

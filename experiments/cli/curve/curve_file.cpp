@@ -20,8 +20,6 @@
 namespace bezierbench::cli {
 namespace {
 
-constexpr std::array<std::string_view, 3> names_of_axes{"x", "y", "z"};
-
 /// The bytes of a file, or of standard input, of which no more are read than a reader takes.
 std::string contents_of(const std::string& file) {
   if (file != "-") {
@@ -71,7 +69,7 @@ std::vector<CurveFile> not_empty(std::vector<CurveFile> curves, const std::strin
 
 }  // namespace
 
-std::string axis_name(int axis) { return std::string(names_of_axes.at(static_cast<std::size_t>(axis))); }
+std::string axis_name(int axis) { return std::string(curves::axis_names.at(static_cast<std::size_t>(axis))); }
 
 CurveFile CurveFile::along(int axis) const {
   CurveFile one{id, form, 1, {}, weights, begins_path};

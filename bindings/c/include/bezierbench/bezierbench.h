@@ -261,9 +261,9 @@ BB_API void bb_fitted_free(bb_fitted* fitted);                            /* nul
 /* The curves of a file, in its order. */
 typedef struct bb_curves bb_curves;
 
-/* Reads a file of curves: CSV, SVG, SVG path data or JSON, by its extension or else by what is in it. Lines are curves of
- * degree 1, arcs rational ones of degree 2. For BB_ERROR_FILE `message`, unless null, becomes a line of less than `size`
- * bytes that says where in the file and what to do. */
+/* Reads a file of curves: CSV, SVG, SVG path data, JSON or a font, by its extension or else by what is in it. Lines are
+ * curves of degree 1, arcs rational ones of degree 2. For BB_ERROR_FILE `message`, unless null, becomes a line of less
+ * than `size` bytes that says where in the file and what to do. */
 BB_API int bb_curves_read(const char* file, char* message, size_t size, bb_curves** curves);
 BB_API size_t bb_curves_count(const bb_curves* curves);
 /* Curve number `index` from 0. Its numbers are those of `curves`: copy them, or use them until that is freed. */
