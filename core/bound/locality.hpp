@@ -39,7 +39,7 @@ double locality(int degree, const Coordinate& b) {
   return std::max(from_start, from_end) / largest;
 }
 
-/// How far a locality that is computed with unit roundoff u, from coordinates up to 1, may be from the true one.
+/// How far a locality that is computed with unit roundoff u may be from the true one.
 inline double locality_error(int degree, double u) {
   return 8 * gamma_over_u(4.0 * degree + 4, u) * u * std::ldexp(1.0, degree);
 }

@@ -10,6 +10,7 @@
 
 #include "core/bound/locality.hpp"
 #include "core/convert/differences.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "core/evaluate/methods/de_casteljau.hpp"
 #include "core/evaluate/methods/local_or_bernstein.hpp"
 
@@ -69,6 +70,18 @@ TEST(LocalOrBernstein, ChoosesByAxis) {
   EXPECT_EQ(choice({0, 0, 0}), 1);
   EXPECT_EQ(choice({1, 3, 1}), 2);
   EXPECT_EQ(choice({1e308, -1e308, 1e308}), 0);
+}
+
+/// The bounds are those of a curve as it is given: the error of a conversion is as large as p~ of a local curve, which
+/// is more than the bound of its local form allows.
+TEST(LocalOrBernstein, HasNoBoundAfterAConversion) {
+  std::size_t paths = 0;
+  for (const auto& kernel : kernels<double>(1)) {
+    if (kernel.evaluator != &LocalOrBernstein::info || kernel.conversion == nullptr) continue;
+    ++paths;
+    EXPECT_FALSE(kernel.info->bound) << kernel.info->id;
+  }
+  EXPECT_GE(paths, 4U);
 }
 
 }  // namespace

@@ -54,10 +54,12 @@ requires(Converter::target == Method::info.form) struct Via {
   static constexpr double bound_growth(int n) {
     return std::max(Converter::info.bound->growth(n), Method::info.bound->growth(n) * Converter::coefficient_growth(n));
   }
-  /// The method's own bound must multiply p~ of the converted curve: only that is at most what the conversion's does.
+  /// The method's own bound must multiply p~ of the converted curve, since only that is at most what the conversion's
+  /// multiplies, and it must be the only one: a local curve of a method with `of_local` has another.
   static constexpr bool has_bound() {
     if constexpr (Converter::info.bound && Method::info.bound)
-      return Method::info.bound->amplification == p_tilde_of(Method::info.form);
+      return Method::info.bound->of_local == nullptr &&
+             Method::info.bound->amplification == p_tilde_of(Method::info.form);
     else
       return false;
   }
@@ -87,8 +89,8 @@ requires(Converter::target == Method::info.form) struct Via {
             .unit_interval_only = Converter::info.bound->unit_interval_only || Method::info.bound->unit_interval_only,
             .result_roundings = Method::info.bound->result_roundings};
   }
-  /// Where the coefficients are differences of control points, except for b_0, which is added last: a bound that only
-  /// multiplies by how far the control points are from b_0.
+  /// Whether the path has a second bound, from_start: its coefficients are differences of control points, except b_0,
+  /// which is added last, so that only distances from b_0 are multiplied.
   static constexpr bool counts_from_start() {
     if constexpr (requires { requires Converter::of_differences; })
       return has_bound() && Method::info.bound->constant_roundings > 0;

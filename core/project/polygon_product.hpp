@@ -15,7 +15,7 @@
 
 namespace bezierbench {
 
-// The sums of a product in Bernstein form (polygon_product.hpp) for one degree: the products of one b_i - P with all
+// The sums of a product in Bernstein form for one degree: the products of one b_i - P with all
 // differences lie side by side in a vector. The bits are those of the sums one by one: an element adds the same numbers
 // in the same order, and zeros.
 

@@ -30,15 +30,13 @@ bool has_nul(const Fields& fields) {
   return std::ranges::any_of(fields, [](const std::string& field) { return field.find('\0') != std::string::npos; });
 }
 
-std::string count_of_fields(std::size_t count) { return fmt::format("{} {}", count, count == 1 ? "field" : "fields"); }
-
 }  // namespace
 
 std::string csv_line(const Fields& fields) {
   std::string line;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (i > 0) line += ',';
-    // A lone empty field would make a blank line, which readers skip.
+    // A lone empty field would be a blank line, which readers skip or refuse.
     line += fields.size() == 1 && fields[i].empty() ? "\"\"" : csv_field(fields[i]);
   }
   return line + '\n';

@@ -245,7 +245,7 @@ void GroupJudge<Scalar>::judge_method(std::size_t method, Group group, Scratch& 
   add(metric::in_units(errors, from.length), measured & from.has_length, judgement.relative);
   LaneSet sized = 0;
   for (std::size_t k = 0; k < group.size(); ++k)
-    if (has(measured, k) && scratch.size[k] > 0) sized |= LaneSet{1} << k;
+    if (has(measured, k) && scratch.size[k] > 0 && std::isfinite(scratch.size[k])) sized |= LaneSet{1} << k;
   add(metric::in_units(errors, scratch.size), sized, judgement.error_size);
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(cell_.dimension); ++axis)
     for (std::size_t k = 0; k < group.size(); ++k) {

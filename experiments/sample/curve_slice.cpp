@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -155,8 +156,18 @@ std::vector<suite::Study> studies_of(const suite::Study& study) {
   if (all.empty())
     suite::refuse(study,
                   {"curves", 0, "kind",
-                   "no curve of the sets has a form and degree that the kind takes and that the study names; see "
-                   "`bezierbench curves FILE`"});
+                   study.parameters_from == suite::ParameterSource::stored
+                       ? "no curve of the sets that the study takes has parameters, in a column t; leave "
+                         "parameters_from out"
+                       : "no curve of the sets has a form and degree that the kind takes and that the study names; see "
+                         "`bezierbench curves FILE`"});
+  for (const auto& one : all)
+    if (std::ranges::find(one.scalar, suite::ScalarKind::float32) != one.scalar.end() &&
+        !(one.slice->range() <= std::numeric_limits<float>::max()))
+      suite::refuse(study, {"curves", 0, "scalar",
+                            fmt::format("set \"{}\" has a coordinate beyond the largest float; scale it down, or leave "
+                                        "float out",
+                                        one.slice->set().id)});
   return all;
 }
 

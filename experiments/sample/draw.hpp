@@ -18,8 +18,8 @@ struct Trial {
   std::vector<double> weights{};  ///< degree + 1 positive values for a rational curve, else none
 };
 
-/// Draws the trials of one cell; those of a slice beyond its last one begin again with the first. A trial is a pure function of (seed, study id, cell, trial number). t is drawn first,
-/// then the coefficients point by point, then the weights, each from the next words (words.hpp). So t does not depend
+/// Draws the trials of one cell; those of a slice beyond its last one begin again with the first. A trial is a pure
+/// function of (seed, study id, cell, trial number). t is drawn first, then the coefficients point by point, then the weights, each from the next words (words.hpp). So t does not depend
 /// on the number of coefficients, nor do these depend on the weights. Values are doubles; for float, the caller rounds
 /// them.
 class Sampler {

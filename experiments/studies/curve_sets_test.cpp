@@ -48,8 +48,12 @@ TEST(CurveSets, EveryKindWhoseInputsAreCurvesTakesThem) {
         const auto table = bundle::parse_csv(text, file);
         for (std::size_t row = 0; row < table.row_count(); ++row, ++rows) {
           EXPECT_EQ(table.at(row, "curves"), "two") << file;
-          if (table.has_column("coordinate_range")) EXPECT_EQ(table.at(row, "coordinate_range"), "") << file;
-          if (table.has_column("trials") && kind->id != "guarantees") EXPECT_EQ(table.at(row, "trials"), "7") << file;
+          if (table.has_column("coordinate_range")) {
+            EXPECT_EQ(table.at(row, "coordinate_range"), "") << file;
+          }
+          if (table.has_column("trials") && kind->id != "guarantees") {
+            EXPECT_EQ(table.at(row, "trials"), "7") << file;
+          }
         }
       }
     EXPECT_GT(rows, 0U);
@@ -57,7 +61,7 @@ TEST(CurveSets, EveryKindWhoseInputsAreCurvesTakesThem) {
   EXPECT_EQ(taken, 11U) << "a new kind either takes curve sets or says why not";
 }
 
-/// The rows of a set are those of the same curves as if they were drawn: a trial is judged on its numbers alone.
+/// On one curve, whose size is 36.
 TEST(CurveSets, MisroundedAndErrorsOverTheSizeAreThoseOfTheDefinition) {
   auto study = study_of_two_curves(accuracy_kind.asks);
   study.methods = {"de_casteljau", "correctly_rounded"};

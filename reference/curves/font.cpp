@@ -68,7 +68,9 @@ class GlyphNames {
       const auto breaks = [](char c) { return c <= ' ' || c > '~' || c == ',' || c == ':' || c == '"'; };
       if (!name.empty() && std::ranges::none_of(name, breaks) && taken_.insert(name).second) return name;
     }
-    return fmt::format("{}", glyph);
+    auto number = fmt::format("{}", glyph);
+    while (!taken_.insert(number).second) number += '\'';  // a glyph may have a number as its name
+    return number;
   }
 
  private:

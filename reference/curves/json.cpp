@@ -104,6 +104,7 @@ class Reader {
     }
     Form form = form_;
     std::string id = std::to_string(read_.set.size());
+    while (ids_.contains(id)) id += '\'';  // another curve may be given a number as its id
     if (object != nullptr) {
       if (const auto given = object->find("weights"); given != object->end()) {
         require_numbers(*given, points.size(), "weights");

@@ -315,7 +315,12 @@ void Path::arc_to(const PlanePoint& radii, double degrees, bool large, bool swee
   const auto chord = 0.5 * current_ - 0.5 * p;
   PlanePoint half{(axis[0] * chord[0] + axis[1] * chord[1]) / rx, (axis[0] * chord[1] - axis[1] * chord[0]) / ry};
   const double largest = std::max(std::abs(half[0]), std::abs(half[1]));
-  const auto unit = (1 / largest) * half;  // no square of it overflows or vanishes
+  if (largest == 0 || !std::isfinite(largest))
+    throw Unreadable(
+        fmt::format("{}: segment {} of path {} is an arc whose radii are not in the range of doubles beside "
+                    "its chord; write it as a line",
+                    file_, segment_, echo(name_)));
+  const PlanePoint unit{half[0] / largest, half[1] / largest};  // no square of it overflows or vanishes
   const double length = std::sqrt(unit[0] * unit[0] + unit[1] * unit[1]);
   const double distance = largest * length;
   double square = distance * distance;

@@ -143,7 +143,8 @@ TEST(PathData, ArcsOutOfRange) {  // section 9.5.1 and F.6.6
   EXPECT_EQ(to_csv(set_of("M1,2 A-3,-4 0 0 1 3,4")), to_csv(set_of("M1,2 A3,4 0 0 1 3,4")));
   EXPECT_EQ(to_csv(set_of("M0,0 A1,1 0 0 1 8,0")), to_csv(set_of("M0,0 A4,4 0 1 1 8,0")));  // radii scaled up
   EXPECT_EQ(to_csv(set_of("M0,0a1 1 0 01.5.5")), to_csv(set_of("M0,0 a 1,1 0 0 1 0.5,0.5")));
-  EXPECT_THAT(refusal_of("M0,0 A1e-320,5 0 0 1 8,0"), HasSubstr("beyond the largest double"));
+  EXPECT_THAT(refusal_of("M0,0 A1e-320,5 0 0 1 8,0"), HasSubstr("an arc whose radii are not in the range of doubles"));
+  EXPECT_EQ(set_of("M0,0 A1e200,1e200 0 0 1 1e-100,0").size(), 1U);
 }
 
 TEST(PathData, PointsOfArcsAreOnTheirEllipse) {

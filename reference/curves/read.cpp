@@ -58,7 +58,7 @@ bool has_known_extension(const std::string& name) { return kind_of_name(name).ha
 Read read(std::string_view contents, const std::string& name, const ReadOptions& options) {
   if (contents.size() > most_bytes)
     throw Unreadable(
-        fmt::format("{}: {} bytes; at most {} are read, so split the file", name, contents.size(), most_bytes));
+        fmt::format("{}: has more than {} bytes, which are the most that are read; split the file", name, most_bytes));
   switch (kind_of_name(name).value_or(kind_of(contents))) {
     case Kind::svg: return read_svg(contents, name);
     case Kind::json: return read_json(contents, name, options.form);

@@ -35,7 +35,7 @@ double coordinate_bound(const ErrorBound& bound, const CurveView<double>& curve,
   for (int i = 0; i <= curve.degree; ++i) coefficients.push_back(curve(axis, i));
   TrialScale scale;
   scale.set({curve.form, 1, curve.degree, coefficients, curve.weights}, t);
-  return scale.bound(bound, arithmetic, std::abs(round_to(binary64, truth)));
+  return scale.least_bound(bound, arithmetic, std::abs(round_to(binary64, truth)));
 }
 
 std::optional<double> bound_units(double bound, const Rational& p_tilde, const Arithmetic& arithmetic) {

@@ -7,11 +7,8 @@
 #include "reference/number/echo.hpp"
 
 namespace bezierbench {
-namespace {
 
 std::string count_of_fields(std::size_t count) { return std::to_string(count) + (count == 1 ? " field" : " fields"); }
-
-}  // namespace
 
 std::string csv_field(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);

@@ -20,6 +20,9 @@ class CsvFault : public std::runtime_error {
 /// `text` as a field, quoted where required.
 [[nodiscard]] std::string csv_field(std::string_view text);
 
+/// `1 field`, `2 fields`.
+[[nodiscard]] std::string count_of_fields(std::size_t count);
+
 /// Cuts a text into a header and rows, one at a time. Lines are counted from 1 and are more than records where a quoted
 /// field spans several. A byte order mark before the header is passed over.
 class CsvRecords {

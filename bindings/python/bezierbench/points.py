@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from ._arrays import FORMS, Array, GivenCurve, address, array_of, is_float, parameters, point_rows
 from ._library import HalfEntry, check, library
 
-# For every degree, and t inside or outside of [0,1]; evaluate() says why.
+# The methods of derivatives and grids that are taken without a name: they take every degree and every t.
 _DERIVATIVES = {"bernstein": "differences_de_casteljau", "power": "power_derivative"}
 _GRIDS = {"bernstein": "pointwise_de_casteljau", "power": "pointwise_horner"}
 

@@ -217,7 +217,8 @@ constexpr std::array guarantees_fields{
                                              .example = "[\"ends_exact\", \"in_hull\"]",
                                              .left_out = "all"})};
 
-constexpr std::array<std::string_view, 3> undrawn{"coordinate_range", "t_interval", "generator"};
+constexpr std::array<std::string_view, 5> undrawn{"coordinate_range", "t_interval", "generator", "parameters_from",
+                                                  "placement"};
 
 suite::Finding check_guarantees(const suite::Study& study, const suite::Vocabulary& /*known*/) {
   return suite::check_budget("guarantees", study.budget);
