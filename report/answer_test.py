@@ -95,9 +95,9 @@ class Answer(unittest.TestCase):
         with self.assertRaises(Missing):
             list(choice.answer(bundle, None))
 
-    def test_tiles_count_violations_and_noise(self):
+    def test_tiles_count_violations_and_say_how_wide_intervals_are(self):
         calm = self.tiles(self.bundle())
-        self.assertEqual((calm["violations"].value, calm["violations"].mark, calm["noise"].mark), ("0", "inside", "inside"))
+        self.assertEqual((calm["violations"].value, calm["violations"].mark), ("0", "inside"))
         self.assertEqual((calm["machine"].value, calm["digest"].value), ("test", "ab"))
 
         def trouble(at, row):
@@ -105,14 +105,14 @@ class Answer(unittest.TestCase):
                 row["bound_violations"] = 2
             if at == "arc_length.csv" and row["method"] == "adaptive_simpson38" and row["generator"] == "integer" and row["tolerance"] == 1e-3:
                 row["broken_promises"] = 1
-            if at == "timing.csv" and row["study"] == "peers-speed":
-                row["quality"] = "noisy"
+            if at == "timing.csv" and row["ratio"] and row["relative_to"] != row["method"]:
+                row.update(ratio=2, ratio_low=1.9, ratio_high=2.2)
         tiles = self.tiles(self.bundle(trouble))
         self.assertEqual((tiles["violations"].value, tiles["violations"].mark), ("3", "outside"))
         self.assertIn("1 broken promise", tiles["violations"].note)
         self.assertNotIn("promises", tiles["violations"].note)
-        self.assertEqual(tiles["noise"].value.split()[0], "10")
-        self.assertEqual(self.tiles(self.bundle(without=("timing.csv",)))["noise"].value, "no times")
+        self.assertEqual(tiles["times"].value, "15 %")
+        self.assertEqual(self.tiles(self.bundle(without=("timing.csv",)))["times"].value, "none")
 
     def test_a_machine_that_is_not_known(self):
         bundle = self.bundle()

@@ -26,12 +26,12 @@ UNUSABLE = (*WITHOUT_ROWS, AttributeError, RuntimeError, TypeError)
 # number (study 2.2).
 COMPARISON = {
     "comparison.csv": ("kind study method degree mode a b ratio ratio_low ratio_high verdict against bundle file column "
-                       "quality normalised normalised_low normalised_high normalised_verdict rank_a rank_b").split(),
+                       "quality normalised normalised_low normalised_high rank_a rank_b").split(),
     "facts.csv": "against bundle fact a b".split(),
     "standings.csv": "rank bundle cpu compiler machine accuracy_rows_differing timings mean_ratio mean_normalised".split(),
 }
 WORDS = frozenset("kind study table form method scalar mode generator baseline verdict against bundle file column quality "
-                  "normalised_verdict fact cpu compiler machine".split())
+                  "fact cpu compiler machine".split())
 # Ids as a suite has to write them; they stand in names of files and in commands that a reader copies.
 ID = re.compile(r"[A-Za-z0-9._:+-]+")
 IDS = frozenset("study accuracy_study worst_id search_id guarantee_id method conversion scalar generator mode".split())

@@ -78,7 +78,7 @@ def is_declared(file):
 
 def written(file):
     """The columns that a program of today writes, in their order."""
-    return [name for name, column in columns(file).items() if not column.get("deprecated")]
+    return list(columns(file))
 
 
 def required(file):

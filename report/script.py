@@ -76,7 +76,7 @@ def _answer(answer):
         methods = [dict(method=one.method, ns=_number(one.ns), low=_number(one.timed and one.timed["ns_low"]),
                         high=_number(one.timed and one.timed["ns_high"]), error_u=_number(one.error_u), bound_u=_number(one.bound_u),
                         error=_number(one.number("observed_max", "max_error")), bound=_number(one.number("bound", "max_bound")),
-                        noisy=bool(one.timed and one.timed["quality"] == "noisy"), front=one.front or "", replay=one.replay or "")
+                        front=one.front or "", replay=one.replay or "")
                    for one in members]
         cells.append(dict(form=cell.form, degree=cell.degree, mode=cell.mode, scalar=cell.scalar,
                           dimension=cell.dimension, small=small(cell.degree, cell.form), where=cell.where, words=to_plain(where(cell)), methods=methods))

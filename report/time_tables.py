@@ -34,34 +34,50 @@ def times(bundle, problem):
 
 
 def time_tables(bundle, problem):
-    """One table per study, scalar type and dimension: medians with their intervals, and where the bundle has limits how near the times are to
-    them. The axis of the problem runs across, everything else that varies is named at the lines."""
+    """One table per study, scalar type and dimension: the ratios of times to those of one method with their intervals, the times themselves, and
+    where the bundle has limits how near the times are to them; then the counted instructions. The axis of the problem runs across, everything
+    else that varies is named at the lines."""
     unit, chinese, axis = (schema.timed()[problem][key] for key in ("unit", "unit_zh", "across"))
     for study, of_study in grouped(times(bundle, problem), "study").items():
         kinds = grouped(of_study, "scalar", "dimension").values()
         for number, rows in enumerate(kinds, 1):
             medians = [r["median_ns"] for r in rows]
             long = max(medians) >= MICROSECONDS and min(medians) >= SHORTEST
-            scale, english, unit_zh = (1e-3, "Micro", "微秒") if long else (1, "Nano", "纳秒")
-            yield by_axis(rows, axis, f"timing-{study}" + (f"-{number}" if len(kinds) > 1 else ""),
-                          f"{english}seconds per {unit}: {bundle.title(study)} ({where(rows[0])})", f"每{chinese}用时（{unit_zh}）",
-                          _lines(rows, axis, scale), row_head="time")
+            scale, english, unit_zh = (1e-3, "micro", "微秒") if long else (1, "nano", "纳秒")
+            table_id = f"timing-{study}" + (f"-{number}" if len(kinds) > 1 else "")
+            named = ", ".join(f"`{m}`" for m in distinct(rows, "relative_to") if m)
+            yield by_axis(rows, axis, table_id,
+                          (f"Time over that of {named}, and about how many {english}seconds" if named else f"{english.capitalize()}seconds")
+                          + f" per {unit}: {bundle.title(study)} ({where(rows[0])})", f"每{chinese}用时（{unit_zh}）",
+                          _lines(rows, axis, lambda row, scale=scale: _cell(row, scale)), row_head="time")
             yield from nearness(rows)
+            counted = bundle["cost.csv"].select(study=study, scalar=rows[0]["scalar"], dimension=rows[0]["dimension"]) if "cost.csv" in bundle else []
+            if counted:
+                yield by_axis(counted, axis, table_id.replace("timing", "cost"),
+                              f"Instructions per {unit}: {bundle.title(study)} ({where(rows[0])})", f"每{chinese}指令数",
+                              _lines(counted, axis, lambda row: Cell(general(row["instructions"], 4), row.text("instructions"))), row_head="instructions")
 
 
-def _lines(rows, axis, scale):
+def _lines(rows, axis, cell):
     """A line for each value of what varies beside the axis; the mode where nothing does."""
     varies = [c for c in APART if c != axis and len(distinct(rows, c)) > 1] or ["mode"]
     keys = dict.fromkeys(tuple(r[c] for c in varies) for r in rows)
-    return [(", ".join(APART[c](value) for c, value in zip(varies, key) if value is not None), lambda own: _cell(own[-1], scale),
+    return [(", ".join(APART[c](value) for c, value in zip(varies, key) if value is not None), lambda own: cell(own[-1]),
              dict(zip(varies, key))) for key in keys]
 
 
 def _cell(row, scale):
     failed = "" if row["checked"] == "yes" else " ✗"
-    noisy = " ~" if row["quality"] == "noisy" else ""
-    median, low, high = (general(scale * row[c]) for c in ("median_ns", "low_ns", "high_ns"))
-    return Cell(f"{median} [{low} – {high}]{noisy}{failed}", row.text("median_ns"), "outside" if failed else "")
+    about = general(scale * row["median_ns"])
+    if row["ratio"] is None:
+        low, high = (general(scale * row[c]) for c in ("low_ns", "high_ns"))
+        text = f"{about} [{low} – {high}]"
+    elif row["relative_to"] == row["method"]:
+        text = f"1, {about}"
+    else:
+        ratio, low, high = (general(row[c]) for c in ("ratio", "ratio_low", "ratio_high"))
+        text = f"{ratio} [{low} – {high}], {about}"
+    return Cell(text + failed, row.text("median_ns"), "outside" if failed else "")
 
 
 def reading_times(bundle, problem):
@@ -74,12 +90,11 @@ def reading_times(bundle, problem):
     return Text(
         ("" if problem == EVALUATION else f"A time is that of one {schema.timed()[problem]['unit']}, computed from the control points or the data, all preparation "
          "included. ")
-        + "The interval in brackets, `low_ns` to `high_ns` of the file, covers the variation of the median from one race to another of the same "
-        f"methods, spread over the run. Every timed output was checked against a judged one first: it is correct where {schema.timed()[problem]['right']}"
+        + "A ratio is that of two times that were taken side by side, in the same rounds; the interval in brackets, `ratio_low` to `ratio_high` of the "
+        "file, covers its variation from one race to another of the same methods, spread over the run. The times are those of this machine. "
+        f"Every timed output was checked against a judged one first: it is correct where {schema.timed()[problem]['right']}"
         + (f" {unproved}" if problem == EVALUATION else "")
-        + (f"; **✗ marks times of {listing(f'`{m}`' for m in wrong)} whose output was incorrect or was not the judged one.**" if wrong else ".")
-        + (" A time marked ~ comes from a race during which the speed of fixed work changed by more than 2 %: ratios within a race are reliable, "
-           "comparisons of times of different races are not." if any(r["quality"] == "noisy" for r in rows) else ""))
+        + (f"; **✗ marks times of {listing(f'`{m}`' for m in wrong)} whose output was incorrect or was not the judged one.**" if wrong else "."))
 
 
 def fits_with_times(bundle, study="companion_speed-fitting", errors="companion_speed-fitting_errors"):

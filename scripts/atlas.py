@@ -131,7 +131,7 @@ def index():
         title = bundle.suites.get(suite) or suite
         lines += [f"## [{title}]({suite}/README.md)", "",
                   f"Suite `{suite}`: {tiles['judged'].value} {tiles['judged'].note}; violations: {tiles['violations'].value}; "
-                  f"noise: {tiles['noise'].value}. [Bundle](../../atlas/{suite}).", ""]
+                  f"width of ratios: {tiles['times'].value}. [Bundle](../../atlas/{suite}).", ""]
         found, _ = find_all(bundle)
         lines += [f"- {to_plain(finding.headline)}" for finding in found if finding.suite == suite]
         lines.append("")

@@ -32,7 +32,7 @@ TABLE = {
     ),
     "experiments/race": (
         ["core", "reference/error", "experiments/suite", "experiments/sample", "experiments/metric", "experiments/judge"],
-        ["Google Benchmark"],
+        ["Google Benchmark", "Valgrind"],
     ),
     "experiments/guarantees": (["core", "reference", "experiments/sample", "experiments/judge/workspace.hpp"], []),
     "experiments/bundle": ([], ["nlohmann/json", "valijson", "OpenSSL"]),
@@ -58,7 +58,7 @@ TABLE = {
         + [f"experiments/{f}" for f in "suite sample metric judge race guarantees bundle tables run peers external".split()],
         ["oneTBB"],
     ),
-    "experiments/cli": (["core", "reference", "experiments"], ["CLI11"]),
+    "experiments/cli": (["core", "reference", "experiments"], ["CLI11", "pugixml"]),
     "experiments/programs": (["core", "reference", "experiments"], ["CLI11"]),
     "bindings": (["core", "reference"], ["GMP/MPFR"]),
     "experiments/examples": ([], ["bezierbench"]),  # what users of the installed package write
@@ -116,6 +116,7 @@ PACKAGES = [
     ("valijson/", "valijson"),
     ("openssl/", "OpenSSL"),
     ("CLI/", "CLI11"),
+    ("valgrind/", "Valgrind"),
     ("tbb/", "oneTBB"),
     ("oneapi/", "oneTBB"),
     ("hwy/", "Highway"),

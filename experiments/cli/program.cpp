@@ -85,7 +85,7 @@ int run_program(int argc, char** argv, std::span<const external::OwnMethod> own)
   add_verify(root, exit);
   add_replay(root, exit, own);
   add_choose(root, exit);
-  add_check(root, exit);
+  add_check(root, exit, own);
   add_trials(root, exit);
   add_doctor(root, exit);
   add_inputs(root, exit);

@@ -13,7 +13,7 @@
 namespace bezierbench::compare {
 namespace {
 
-constexpr std::array<std::string_view, 4> qualities{"ok", "noisy", "few_rounds", "unchecked"};  // best first
+constexpr std::array<std::string_view, 3> qualities{"ok", "few_rounds", "unchecked"};  // best first
 
 /// The columns with results that both tables have, the largest error first: digested, and not keys.
 std::vector<std::string> result_columns(const bundle::DeclaredTable& declared, const bundle::CsvDocument& a,
@@ -24,6 +24,43 @@ std::vector<std::string> result_columns(const bundle::DeclaredTable& declared, c
       results.push_back(column.name);
   std::stable_partition(results.begin(), results.end(), [](const auto& name) { return name.starts_with("max_error"); });
   return results;
+}
+
+/// Whether the column is a mean or a largest error.
+bool is_error(const bundle::Column& column) {
+  return column.is_digested && (column.name.starts_with("mean_error") || column.name.starts_with("max_error"));
+}
+
+/// The error that grew most from row a to row b; 0 may grow to infinity, as may a number that is lost.
+std::optional<std::pair<std::string, double>> grown_error(const bundle::DeclaredTable& declared,
+                                                          const tables::TableRow& a, const tables::TableRow& b) {
+  std::optional<std::pair<std::string, double>> most;
+  for (const auto& column : declared.columns) {
+    if (!is_error(column) || !a.has(column.name) || !b.has(column.name)) continue;
+    const auto before = a.optional_number(column.name);
+    const auto after = b.optional_number(column.name);
+    if (!before || !after || *after == *before) continue;  // what has no number any more has a status
+    const double growth = *after > *before && *before > 0 ? *after / *before : std::numeric_limits<double>::infinity();
+    if (!(*after <= *before) && (!most || growth > most->second)) most = {column.name, growth};
+  }
+  return most;
+}
+
+/// What row b says against the method and row a does not; empty where there is nothing.
+std::string newly_broken(const bundle::DeclaredTable& declared, const tables::TableRow& a, const tables::TableRow& b) {
+  const auto both_have = [&](std::string_view name) { return a.has(name) && b.has(name); };
+  constexpr std::string_view ok = "ok";
+  constexpr std::string_view refuted = "refuted";
+  if (both_have("status") && a.text("status") == ok && b.text("status") != ok) return "status " + b.text("status");
+  if (both_have("property") && a.text("verdict") != refuted && b.text("verdict") == refuted)
+    return b.text("property") + " is refuted";
+  for (const auto& column : declared.columns) {
+    const bool is_lost = column.name == "non_finite";
+    if (!column.is_number || (!is_lost && column.accuses.empty()) || !both_have(column.name)) continue;
+    if (a.optional_number(column.name).value_or(0) == 0 && b.optional_number(column.name).value_or(0) > 0)
+      return is_lost ? "results that are not finite" : column.accuses;
+  }
+  return "";
 }
 
 /// The ratio of two results; NaN where a is 0 or one of them is not a number.
@@ -46,8 +83,14 @@ void compare_results(const bundle::DeclaredTable& declared, const bundle::CsvDoc
       row.a = a.at(pair.a, row.column);
       row.b = b.at(pair.b, row.column);
     }
-    row.ratio.value.median = ratio_of_results(row.a, row.b);
-    row.ratio.verdict = found == columns.end() ? identical : different;
+    row.ratio.median = ratio_of_results(row.a, row.b);
+    row.verdict = found == columns.end() ? identical : different;
+    if (row.verdict == different) {
+      const tables::TableRow row_a(a, pair.a);
+      const tables::TableRow row_b(b, pair.b);
+      row.grown = grown_error(declared, row_a, row_b);
+      row.broken = newly_broken(declared, row_a, row_b);
+    }
     comparison.results.push_back(std::move(row));
   }
   for (auto& inputs : joined.only_a) comparison.only_a.push_back({declared.file, std::move(inputs)});
@@ -91,48 +134,50 @@ std::string worse(std::string_view a, std::string_view b) {
   return std::string(std::ranges::find(qualities, a) > std::ranges::find(qualities, b) ? a : b);
 }
 
-/// Whether the times of fixed work (sentinel or sweep) beside these two rows differ by more than the tolerated drift.
-/// On the same machine with the same build this means that the machine was disturbed or ran at another speed, so that a
-/// difference between the rows does not concern the methods.
-bool machine_changed(const tables::TableRow& ours, const tables::TableRow& theirs) {
-  return std::ranges::any_of(std::array{"sentinel_ns", "sweep_ns"}, [&](std::string_view column) {
-    const auto a = ours.optional_number(column);
-    const auto b = theirs.optional_number(column);
-    return a && b && std::max(*a, *b) > (1 + metric::tolerated_drift) * std::min(*a, *b);
-  });
-}
-
-/// Whether the sentinels of both sides are the same machine code on the same machine: another compiler or other flags
-/// may make a sentinel faster or slower.
-bool same_sentinels(const Side& a, const Side& b) {
-  return same_machine(a, b) && a.fact("build.compiler") == b.fact("build.compiler") &&
-         a.fact("build.flags") == b.fact("build.flags");
-}
-
-Ratio ratio_of_times(const metric::Interval& b, const metric::Interval& a, std::string_view quality) {
-  const auto value = ratio(b, a);
-  return {value, metric::name(quality == "few_rounds" ? metric::Verdict::unresolved : metric::verdict(value))};
+/// From the lower of the low ends to the higher of the high ends.
+metric::Interval over_both(const metric::Interval& a, const metric::Interval& b) {
+  return {a.median, std::min(a.low, b.low), std::max(a.high, b.high)};
 }
 
 void compare_times(Comparison& comparison) {
   const auto& a = comparison.a->table(timing_file);
   const auto& b = comparison.b->table(timing_file);
-  const bool fixed_work_compares = same_sentinels(*comparison.a, *comparison.b);
   auto joined = join(*bundle::declared_table(timing_file), a, b);
   for (auto& pair : joined.pairs) {
     const tables::TableRow row_a(a, pair.a);
     const tables::TableRow row_b(b, pair.b);
     Timed timed{time_of(row_a), time_of(row_b)};
     timed.quality = worse(quality_of(row_a), quality_of(row_b));
-    if (fixed_work_compares && machine_changed(row_a, row_b)) timed.quality = worse(timed.quality, "noisy");
-    const auto raw = ratio_of_times(timed.b, timed.a, timed.quality);
+    const auto raw = ratio(timed.b, timed.a);
     if (const auto units_a = units_of(row_a), units_b = units_of(row_b); units_a && units_b)
-      timed.normalised = ratio_of_times(*units_b, *units_a, timed.quality);
+      timed.normalised = ratio(*units_b, *units_a);
+    timed.judged = !timed.normalised         ? raw
+                   : comparison.same_machine ? over_both(raw, *timed.normalised)
+                                             : *timed.normalised;
+    const auto verdict = timed.quality == "ok" ? metric::verdict(timed.judged) : metric::Verdict::unresolved;
     comparison.times.push_back({timing_file, std::move(pair.inputs), "median_ns", number::decimal(timed.a.median),
-                                number::decimal(timed.b.median), raw, std::move(timed)});
+                                number::decimal(timed.b.median), raw, metric::name(verdict), std::move(timed)});
   }
   for (auto& inputs : joined.only_a) comparison.only_a.push_back({timing_file, std::move(inputs)});
   for (auto& inputs : joined.only_b) comparison.only_b.push_back({timing_file, std::move(inputs)});
+}
+
+/// Counts are compared where the same compiler made both programs; they are equal or they are not.
+void compare_costs(Comparison& comparison) {
+  const auto& a = *comparison.a;
+  const auto& b = *comparison.b;
+  for (const auto* fact : {"build.compiler", "build.flags"})
+    if (a.fact(fact) != b.fact(fact)) return;
+  for (auto& pair : join(*bundle::declared_table(cost_file), a.table(cost_file), b.table(cost_file)).pairs) {
+    const tables::TableRow row_a(a.table(cost_file), pair.a);
+    const tables::TableRow row_b(b.table(cost_file), pair.b);
+    constexpr const char* column = "instructions";
+    Row row{cost_file, std::move(pair.inputs), column, row_a.text(column), row_b.text(column)};
+    const double growth = row_b.number(column) / row_a.number(column);
+    row.ratio = {growth, growth, growth};
+    row.verdict = growth == 1 ? identical : different;
+    comparison.costs.push_back(std::move(row));
+  }
 }
 
 // The columns of comparison.csv; the contract lists `kind` and those of the first two arrays.
@@ -140,26 +185,25 @@ constexpr std::array<std::string_view, 6> leading_inputs{"study", "method", "sca
 constexpr std::array<std::string_view, 6> results{"a", "b", "ratio", "ratio_low", "ratio_high", "verdict"};
 constexpr std::array<std::string_view, 8> further_inputs{"table", "form",      "coordinate_range", "t_min",
                                                          "t_max", "generator", "trials",           "baseline"};
-constexpr std::array<std::string_view, 11> explanations{"against",        "bundle",          "file",
-                                                        "column",         "quality",         "normalised",
-                                                        "normalised_low", "normalised_high", "normalised_verdict",
-                                                        "rank_a",         "rank_b"};
+constexpr std::array<std::string_view, 10> explanations{"against", "bundle",     "file",           "column",
+                                                        "quality", "normalised", "normalised_low", "normalised_high",
+                                                        "rank_a",  "rank_b"};
 
 std::vector<std::string> line_of(const Comparison& comparison, const Row& row) {
-  std::vector<std::string> fields{row.timed ? "timing" : "accuracy"};
+  std::vector<std::string> fields{row.timed ? "timing" : row.file == cost_file ? "cost" : "accuracy"};
   const auto number = [&](double value) { fields.push_back(std::isnan(value) ? "" : number::decimal(value)); };
-  const auto add_ratio = [&](const Ratio& ratio) {
-    for (const double value : {ratio.value.median, ratio.value.low, ratio.value.high}) number(value);
-    fields.emplace_back(ratio.verdict);
+  const auto add_interval = [&](const metric::Interval& ratio) {
+    for (const double value : {ratio.median, ratio.low, ratio.high}) number(value);
   };
   for (const auto name : leading_inputs) fields.push_back(row.inputs.field(name));
   fields.insert(fields.end(), {row.a, row.b});
-  add_ratio(row.ratio);
+  add_interval(row.ratio);
+  fields.emplace_back(row.verdict);
   for (const auto name : further_inputs) fields.push_back(row.inputs.field(name));
   fields.insert(fields.end(), {comparison.a->name, comparison.b->name, row.file, row.column});
   const auto timed = row.timed.value_or(Timed{});
   fields.push_back(timed.quality);
-  add_ratio(timed.normalised.value_or(Ratio{}));
+  add_interval(timed.normalised.value_or(Row().ratio));
   for (const int rank : {timed.rank_a, timed.rank_b}) fields.push_back(rank == 0 ? "" : std::to_string(rank));
   return fields;
 }
@@ -167,24 +211,14 @@ std::vector<std::string> line_of(const Comparison& comparison, const Row& row) {
 }  // namespace
 
 double Row::growth() const {
-  const double ratio_of_sizes = std::abs(ratio.value.median);
+  const double ratio_of_sizes = std::abs(ratio.median);
   return std::isnan(ratio_of_sizes) ? std::numeric_limits<double>::infinity() : ratio_of_sizes;
-}
-
-const Ratio& Row::judged(bool same_machine) const {
-  return same_machine || !timed || !timed->normalised ? ratio : *timed->normalised;
-}
-
-bool Row::is_certainly_slower() const {
-  const auto slower = [](const Ratio& of) { return of.verdict == metric::name(metric::Verdict::slower); };
-  return timed && timed->quality == "ok" && slower(ratio) && timed->b.low > timed->a.high &&
-         (!timed->normalised || slower(*timed->normalised));
 }
 
 std::vector<const Row*> Comparison::differing() const {
   std::vector<const Row*> rows;
   for (const auto& row : results)
-    if (row.ratio.verdict == different) rows.push_back(&row);
+    if (row.verdict == different) rows.push_back(&row);
   std::ranges::stable_sort(rows, std::greater(), &Row::growth);
   return rows;
 }
@@ -193,6 +227,7 @@ Comparison compare_sides(const Side& a, const Side& b) {
   Comparison comparison{&a, &b, same_machine(a, b)};
   compare_all_results(comparison);
   compare_times(comparison);
+  compare_costs(comparison);
   return comparison;
 }
 
@@ -217,7 +252,7 @@ bundle::CsvTable comparison_table(const std::vector<Comparison>& comparisons) {
   columns.insert(columns.end(), explanations.begin(), explanations.end());
   bundle::CsvTable table(columns);
   for (const auto& comparison : comparisons)
-    for (const auto* rows : {&comparison.results, &comparison.times})
+    for (const auto* rows : {&comparison.results, &comparison.times, &comparison.costs})
       for (const auto& row : *rows) table.add_row(line_of(comparison, row));
   return table;
 }

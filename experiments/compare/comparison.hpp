@@ -20,23 +20,16 @@ namespace bezierbench::compare {
 inline constexpr std::string_view identical = "identical";
 inline constexpr std::string_view different = "different";
 
-/// The ratio of two values, b over a, and the verdict on both.
-struct Ratio {
-  /// The median is NaN where a is 0 or one of them is not a number; the limits of a result are NaN.
-  metric::Interval value{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
-                         std::numeric_limits<double>::quiet_NaN()};
-  std::string_view verdict;
-};
-
 /// What only rows of times have.
 struct Timed {
   metric::Interval a;  ///< nanoseconds per point
   metric::Interval b;
-  std::optional<Ratio> normalised = {};  ///< in units of the sentinel, where both sides have them
-  /// The worse quality of the two sides: `ok`, or the word in the file; `unchecked` where timed output was wrong.
-  /// `noisy` also where the same build on the same machine took different times for the fixed work beside the row.
-  std::string quality = {};
-  int rank_a = 0;  ///< 1 + number of methods in the same race that are certainly faster; 0 if not ranked
+  std::optional<metric::Interval> normalised = {};  ///< b over a in units of the sentinel, where both sides have them
+  /// The ratio that compares the methods. Between two machines it is the one in units of the sentinel. On one machine it
+  /// reaches over both ratios: they differ where the machine changed its speed, and then neither is the method's.
+  metric::Interval judged = {};
+  std::string quality = {};  ///< the worse of the two sides: `ok`, or the word in the file
+  int rank_a = 0;            ///< 1 + number of methods in the same race that are certainly faster; 0 if not ranked
   int rank_b = 0;
   /// Whether a ranked method of the same race is faster in one bundle and slower in the other, each by the verdict on
   /// the ratio of both in that bundle. Ranks may differ without that, where only one bundle tells two methods apart.
@@ -50,18 +43,20 @@ struct Row {
   std::string column;  ///< of the result: the largest error if it differs, else the first result that does
   std::string a;       ///< the values in that column
   std::string b;
-  Ratio ratio = {};
+  /// b over a. The median is NaN where a is 0 or one of them is not a number; the limits of a result are NaN.
+  metric::Interval ratio{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+                         std::numeric_limits<double>::quiet_NaN()};
+  std::string_view verdict = {};  ///< of times that on `timed->judged`
   std::optional<Timed> timed = {};
+  /// Of results: the error that grew most, as its column, and how often it is its value in a. Empty where none grew.
+  std::optional<std::pair<std::string, double>> grown = {};
+  /// What says against b and not against a: a broken bound, promise or guarantee, or a status without numbers.
+  std::string broken = {};
 
   /// |b/a|; infinite where that is not a number.
   [[nodiscard]] double growth() const;
   /// The row of the fixed work that runs beside every race.
   [[nodiscard]] bool is_sentinel() const { return inputs.field("method") == "sentinel"; }
-  /// The ratio that compares methods: in units of the sentinel where the machines differ.
-  [[nodiscard]] const Ratio& judged(bool same_machine) const;
-  /// Whether b took longer by every measure: the interval of b lies above that of a, the verdict on the ratio is
-  /// `slower`, in units of the sentinel too, and the quality is `ok`.
-  [[nodiscard]] bool is_certainly_slower() const;
 };
 
 /// The inputs of a row without a partner in the other bundle.
@@ -77,6 +72,7 @@ struct Comparison {
   bool same_machine;
   std::vector<Row> results = {};  ///< by file, and within a file in a's order
   std::vector<Row> times = {};    ///< in a's order
+  std::vector<Row> costs = {};    ///< instructions, in a's order; none where compiler or flags differ
   std::vector<Single> only_a = {};
   std::vector<Single> only_b = {};
   std::vector<std::string> left_out = {};  ///< files of both bundles whose rows do not determine their inputs
@@ -85,8 +81,8 @@ struct Comparison {
   [[nodiscard]] std::vector<const Row*> differing() const;
 };
 
-/// Compares the deterministic tables bit for bit, and the times by metric::verdict, but `unresolved` where a race had
-/// too few rounds for an interval. Bundles with different seeds have different inputs, so that only times are compared.
+/// Compares the deterministic tables bit for bit, the times by metric::verdict, but `unresolved` where the quality is not
+/// `ok`, and counted instructions exactly. Bundles with different seeds have different inputs, so that only times are compared.
 /// For different suites only tables with a column `trials` are compared: the rows of any other table do not say how many
 /// trials they cover. Throws Failure(Exit::input_output) for a time that is not a number.
 [[nodiscard]] Comparison compare_sides(const Side& a, const Side& b);
@@ -96,8 +92,8 @@ struct Comparison {
 [[nodiscard]] std::string recorded_input(const Side& side, const Inputs& inputs);
 
 /// Every row: kind,study,method,scalar,dimension,degree,mode,a,b,ratio,ratio_low,ratio_high,verdict, then the further
-/// inputs of the row and the columns that explain the verdict. `kind` is `accuracy` or `timing`; `a` and `b` are the
-/// values in `column` of `file`.
+/// inputs of the row and the columns that explain the verdict. `kind` is `accuracy`, `timing` or `cost`; `a` and
+/// `b` are the values in `column` of `file`.
 [[nodiscard]] bundle::CsvTable comparison_table(const std::vector<Comparison>& comparisons);
 
 }  // namespace bezierbench::compare

@@ -32,7 +32,7 @@ Side read_side(const std::filesystem::path& path) {
   for (const auto file : {std::string_view("machine.json"), bundle::manifest_name})
     std::ranges::move(bundle::facts(reader.read(file), reader.place(file)), std::back_inserter(side.facts));
   for (const auto& table : bundle::declared_tables())
-    if ((table.is_deterministic || table.file == timing_file) && reader.has(table.file))
+    if ((table.is_deterministic || table.file == timing_file || table.file == cost_file) && reader.has(table.file))
       side.tables.emplace(table.file, bundle::parse_csv(reader.read(table.file), reader.place(table.file)));
   return side;
 }

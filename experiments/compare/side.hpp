@@ -16,13 +16,14 @@
 namespace bezierbench::compare {
 
 inline constexpr const char* timing_file = "timing.csv";
+inline constexpr const char* cost_file = "cost.csv";
 
 /// What is compared of a bundle, all read at once.
 struct Side {
   std::string name;  ///< as the user gave it
   bundle::Manifest manifest = {};
   std::vector<bundle::Fact> facts = {};                    ///< those of machine.json, then those of bundle.json
-  std::map<std::string, bundle::CsvDocument> tables = {};  ///< timing.csv and the deterministic tables, by file name
+  std::map<std::string, bundle::CsvDocument> tables = {};  ///< timing.csv, cost.csv and the deterministic tables
 
   /// The value of the fact `fact_name`; `unknown` where the bundle does not have it.
   [[nodiscard]] std::string fact(std::string_view fact_name) const;

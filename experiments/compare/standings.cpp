@@ -69,9 +69,9 @@ std::vector<Standing> standings(const std::vector<Comparison>& comparisons) {
     for (const auto& row : comparison.times) {
       if (!common.contains(row.inputs)) continue;
       ++one.timings;
-      logarithms += std::log(row.ratio.value.median);
-      normalised += row.timed->normalised ? std::log(row.timed->normalised->value.median)
-                                          : std::numeric_limits<double>::quiet_NaN();
+      logarithms += std::log(row.ratio.median);
+      normalised +=
+          row.timed->normalised ? std::log(row.timed->normalised->median) : std::numeric_limits<double>::quiet_NaN();
     }
     const auto mean = [&](double sum) { return std::exp(sum / static_cast<double>(one.timings)); };
     if (one.timings > 0) {

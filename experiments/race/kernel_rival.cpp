@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/race/counts.hpp"
 #include "experiments/race/page_vector.hpp"
 #include "experiments/race/rounds.hpp"
 
@@ -138,7 +139,7 @@ double one_shot_seconds(State<Scalar>& s) {
 /// Where one batch would take longer than several rounds, keeps as many inputs as fill one round.
 template <class Scalar>
 void shorten_one_shots(State<Scalar>& s) {
-  if (s.t.size() <= min_one_shots) return;
+  if (s.t.size() <= min_one_shots || runs_under_valgrind()) return;  // counts must not depend on times
   const double seconds = one_shot_seconds(s);
   if (seconds * static_cast<double>(s.t.size()) <= max_one_shots_seconds) return;
   s.keep(std::max(min_one_shots, static_cast<std::size_t>(min_round_seconds / seconds)));
@@ -204,10 +205,13 @@ std::vector<Scalar> by_axis(const std::vector<Scalar>& points, std::size_t dimen
 }
 
 template <class Scalar>
-Rival vector_rival(const batch::BatchKernel<Scalar>& vectors, const Kernel<Scalar>& kernel,
-                   const Inputs<Scalar>& inputs, const std::vector<Scalar>& judged) {
+Rival vector_rival(const batch::Target& target, const Kernel<Scalar>& kernel, const Inputs<Scalar>& inputs,
+                   const std::vector<Scalar>& judged) {
   auto state = state_of(kernel, inputs, by_axis(judged, static_cast<std::size_t>(inputs.dimension)));
-  return rival_of(state, [state, vectors] { vectors(state->prepared.data(), state->t, state->points.data()); });
+  const auto vectors = batch::find(target, kernel);
+  auto rival = rival_of(state, [state, vectors] { vectors(state->prepared.data(), state->t, state->points.data()); });
+  rival.target = target.name;
+  return rival;
 }
 
 constexpr MethodInfo empty_method{.id = "call", .label = "empty kernel", .flops = "0", .citation = ""};
@@ -258,7 +262,7 @@ Rival kernel_rival(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<
                    std::vector<Scalar> judged) {
   if (mode == suite::Mode::batch)
     for (const auto* target : batch::usable_targets())
-      if (const auto vectors = batch::find(*target, kernel)) return vector_rival(vectors, kernel, inputs, judged);
+      if (batch::find(*target, kernel)) return vector_rival(*target, kernel, inputs, judged);
   auto state = state_of(kernel, inputs, std::move(judged));
   if (mode == suite::Mode::one_shot) shorten_one_shots(*state);
   return rival_of<Scalar>(state, [state, run = run_of<Scalar>(mode)] { run(*state); });
@@ -267,7 +271,7 @@ Rival kernel_rival(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<
 template <class Scalar>
 Rival batch_rival(const batch::Target& target, const Kernel<Scalar>& kernel, const Inputs<Scalar>& inputs,
                   std::vector<Scalar> judged) {
-  return vector_rival(batch::find(target, kernel), kernel, inputs, judged);
+  return vector_rival(target, kernel, inputs, judged);
 }
 
 template Rival kernel_rival<float>(const Kernel<float>&, suite::Mode, const Inputs<float>&, std::vector<float>);

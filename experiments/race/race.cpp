@@ -20,9 +20,6 @@ namespace {
 
 constexpr std::string_view no_baseline = "exact";  // of a study that names none; times are not compared with it
 
-/// The spread of repetitions on a quiet machine, which only differ in where memory lies.
-constexpr double tolerated_disagreement = 0.05;
-
 /// In the order of sentinels().
 std::array<const RivalTimes*, 2> sentinels_of(const std::vector<RivalTimes>& times) {
   return {&times[times.size() - 2], &times.back()};
@@ -86,6 +83,8 @@ std::vector<double> RivalTimes::repetition_ns() const {
 }
 
 void RaceTimes::merge(const RaceTimes& other) {
+  if (!other.counts.empty()) counts = other.counts;
+  if (other.each.empty()) return;
   if (each.empty()) each.resize(other.each.size());
   if (other.each.size() != each.size()) throw std::invalid_argument("repetitions of different races");
   for (std::size_t m = 0; m < each.size(); ++m) {
@@ -101,11 +100,6 @@ const RivalTimes* call_times(const Race& race) {
   constexpr std::size_t call_and_sentinels = 3;
   const std::size_t methods = race.methods.size();
   return race.times.size() == methods + call_and_sentinels ? &race.times[methods] : nullptr;
-}
-
-RaceTimes run_repetition(const TimedProblem& problem, const Race& race, const suite::Study& study, std::uint64_t seed,
-                         std::size_t repetition, const RaceOptions& options, std::shared_ptr<const void>& trials) {
-  return run_rivals(race, study, problem.rivals(race, study, seed, trials), repetition, options);
 }
 
 double SentinelTimes::over(const SentinelTimes& other) const {
@@ -127,20 +121,8 @@ SentinelTimes fastest_sentinels(const std::vector<RivalTimes>& times) {
   return {std::ranges::min(chain->repetition_ns()), std::ranges::min(sweep->repetition_ns())};
 }
 
-SentinelTimes fastest_sentinels(const std::vector<Race>& races) {
-  SentinelTimes fastest;
-  for (const auto& race : races) fastest = min(fastest, fastest_sentinels(race.times));
-  return fastest;
-}
-
 bool drifted(const std::vector<RivalTimes>& times, const SentinelTimes& fastest) {
   return median_sentinels(times).over(fastest) > 1 + metric::tolerated_drift;
-}
-
-bool repetitions_disagree(const RivalTimes& times) {
-  constexpr double quarter = 0.25;
-  const auto ns = times.repetition_ns();
-  return metric::quantile(ns, 1 - quarter) > (1 + tolerated_disagreement) * metric::quantile(ns, quarter);
 }
 
 std::string named_baseline(const suite::Study& study) {

@@ -28,6 +28,7 @@
 
 #include "core/method.hpp"
 #include "experiments/judge/case_axes.hpp"
+#include "experiments/race/counts.hpp"
 #include "experiments/race/operation_times.hpp"
 #include "experiments/race/rounds.hpp"
 #include "experiments/race/sentinel.hpp"
@@ -89,10 +90,11 @@ struct RivalTimes {
 struct RaceTimes {
   std::vector<RivalTimes> each;
   std::vector<ProcessorTimes> operations = {};  ///< one measurement a repetition, beside evaluators
+  std::vector<Cost> counts = {};                ///< of the methods; empty where they were not counted
 
   template <class Bytes, class Self>
   static void each_field(Bytes& bytes, Self& self) {
-    bytes(self.each, self.operations);
+    bytes(self.each, self.operations, self.counts);
   }
 
   /// Adds other repetitions of the same race; their order does not matter.
@@ -107,6 +109,7 @@ struct Race {
   judge::CaseValues case_values = {};           ///< of a companion problem
   std::vector<RivalTimes> times = {};           ///< see RaceTimes; empty before the first repetition
   std::vector<ProcessorTimes> operations = {};  ///< likewise
+  std::vector<Cost> counts = {};                ///< likewise
 };
 
 /// The size that the claimed costs of a problem's methods grow with.
@@ -152,11 +155,6 @@ const RivalTimes* call_times(const Race& race);
 RaceTimes run_rivals(const Race& race, const suite::Study& study, JudgedRivals judged, std::size_t repetition,
                      const RaceOptions& options);
 
-/// One repetition, 0 <= repetition < repetitions_per_race: judges the methods, then times them. A method whose points are
-/// wrong is timed as well, but not `checked`. `trials` is kept from one repetition to the next (TimedProblem).
-RaceTimes run_repetition(const TimedProblem& problem, const Race& race, const suite::Study& study, std::uint64_t seed,
-                         std::size_t repetition, const RaceOptions& options, std::shared_ptr<const void>& trials);
-
 /// The times of the two sentinels.
 struct SentinelTimes {
   double chain_ns = std::numeric_limits<double>::infinity();
@@ -174,17 +172,10 @@ SentinelTimes median_sentinels(const std::vector<RivalTimes>& times);
 
 /// The fastest repetition of each sentinel; infinite without repetitions.
 SentinelTimes fastest_sentinels(const std::vector<RivalTimes>& times);
-/// The fastest repetition of each sentinel over all races.
-SentinelTimes fastest_sentinels(const std::vector<Race>& races);
 
 /// Whether the median of a sentinel over the repetitions exceeds `fastest`, its fastest time in the study, by more than
 /// the tolerance.
 bool drifted(const std::vector<RivalTimes>& times, const SentinelTimes& fastest);
-
-/// Whether the repetitions of one method disagree: the upper quartile of their times exceeds the lower one by more than
-/// the tolerance. The median of such times depends more on disturbances and on the placement of memory than on the
-/// method.
-bool repetitions_disagree(const RivalTimes& times);
 
 /// The method id that a study names as its baseline; empty where it names none.
 std::string named_baseline(const suite::Study& study);

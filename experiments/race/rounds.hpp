@@ -29,6 +29,7 @@ struct Rival {
   std::size_t points_per_batch;
   std::function<void()> run;
   std::function<bool()> check;  ///< after every round, not timed: true where the results are the judged ones
+  std::string target = {};      ///< of a batch kernel: the instruction set
 };
 
 /// The times of one rival in the rounds of one repetition.

@@ -44,8 +44,8 @@ TEST(Rounds, EveryRivalMeetsEveryPlaceAndEveryPredecessorEquallyOften) {
                         }});
     }
     time_rounds("test", rivals, {.rounds = 1});
-    const std::size_t rounds = order.size() / count;
-    EXPECT_EQ(rounds, count % 2 == 0 ? count : 2 * count);
+    const std::size_t full_turns = order.size() / count;
+    EXPECT_EQ(full_turns, count % 2 == 0 ? count : 2 * count);
     std::map<std::pair<char, std::size_t>, std::size_t> places;
     std::map<std::pair<char, char>, std::size_t> neighbours;
     for (std::size_t k = 0; k < order.size(); ++k) {
@@ -54,8 +54,8 @@ TEST(Rounds, EveryRivalMeetsEveryPlaceAndEveryPredecessorEquallyOften) {
     }
     EXPECT_EQ(places.size(), count * count);
     EXPECT_EQ(neighbours.size(), count * (count - 1));
-    for (const auto& [place, times] : places) EXPECT_EQ(times, rounds / count) << order;
-    for (const auto& [pair, times] : neighbours) EXPECT_EQ(times, rounds / count) << order;
+    for (const auto& [place, times] : places) EXPECT_EQ(times, full_turns / count) << order;
+    for (const auto& [pair, times] : neighbours) EXPECT_EQ(times, full_turns / count) << order;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -47,6 +48,9 @@ struct JobContext {
   std::uint64_t seed = 1;
   reference::Tier tier = reference::Tier::exact;
   std::int64_t audited_trials = 200;  ///< of replicate 0 of each cell of an accuracy study, for audit.csv
+  std::size_t number = 0;             ///< of the job in its plan
+  /// Runs Job::count() of the job with this number in a child under Callgrind, and returns the files that it wrote.
+  std::function<std::vector<std::string>(std::size_t number)> count_job = {};
 };
 
 /// The result of blocks of one part of a job. The order of merging changes nothing, and bytes keep it between
@@ -86,6 +90,9 @@ class Job {
   [[nodiscard]] virtual std::unique_ptr<Result> run_block(std::size_t block) const = 0;
   /// Throws number::MalformedBytes for bytes that no result of this kind writes.
   [[nodiscard]] virtual std::unique_ptr<Result> read_result(number::ByteReader& bytes) const = 0;
+
+  /// Counts what the study asks to be counted. Called in a process under Callgrind, whose files are the result.
+  virtual void count() const {}
 
   /// Adds a result to those that write() writes. To be called by one thread at a time.
   void add(std::size_t part, std::unique_ptr<Result> result) {

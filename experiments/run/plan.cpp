@@ -56,7 +56,7 @@ std::string name_of_job(const std::string& study, const std::string& external) {
 
 /// The jobs of a study for external methods: of those that it names, if it names any, else of all. Throws
 /// Failure(usage) where none that it names can be asked for its inputs.
-void add_external_jobs(const RunRequest& request, const suite::Study& study, const JobContext& context, Plan& plan) {
+void add_external_jobs(const RunRequest& request, const suite::Study& study, JobContext context, Plan& plan) {
   const auto named = std::ranges::find_if(study.methods, suite::is_external);
   const bool names_some = named != study.methods.end();
   const auto before = plan.jobs.size();
@@ -69,6 +69,7 @@ void add_external_jobs(const RunRequest& request, const suite::Study& study, con
       plan.unasked.push_back({method.id, study.id, "it names other external methods"});
       continue;
     }
+    context.number = plan.jobs.size();
     auto job = request.kinds.make_external_job(study, method, context);
     if (!job) {
       plan.unasked.push_back({method.id, study.id, request.kinds.why_unasked(study, method)});
@@ -139,8 +140,14 @@ void count_times(const tables::Tables& tables, Outcome& outcome) {
   const auto* timing = tables.find("timing.csv");
   if (timing == nullptr) return;
   outcome.times = timing->row_count();
-  outcome.noisy = static_cast<std::size_t>(std::ranges::count(
-      timing->rows(), tables::field("noisy"), [](const tables::Row& row) { return row.field("quality"); }));
+  std::vector<double> widths;
+  for (const auto& row : tables::rows_of(*timing))
+    if (const auto ratio = row.optional_number("ratio"); ratio && row.text("relative_to") != row.text("method"))
+      widths.push_back((row.number("ratio_high") - row.number("ratio_low")) / *ratio);
+  if (widths.empty()) return;
+  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
+  std::ranges::nth_element(widths, middle);
+  outcome.ratio_width = *middle;
 }
 
 }  // namespace
@@ -160,7 +167,10 @@ Plan::Plan(const RunRequest& request, Unplannable unplannable)
     for (const auto& one : request.suites)
       for (const auto& written : one.studies)
         or_left_out([&] {
-          for (const auto& study : request.kinds.studies_of(written)) plan(study, JobContext{one.seed, request.tier});
+          for (const auto& study : request.kinds.studies_of(written))
+            plan(study,
+                 JobContext{
+                     .seed = one.seed, .tier = request.tier, .number = jobs.size(), .count_job = request.count_job});
         });
   };
   each_study([&](const suite::Study& study, const JobContext& context) {

@@ -178,8 +178,8 @@ std::string ending_line(const Outcome& outcome) {
                           outcome.cells == 1 ? "" : "s");
   line += broken(outcome);
   if (outcome.times > 0)
-    line += fmt::format(", {} of {} times noisy ({:.1f} %)", outcome.noisy, outcome.times,
-                        percent * static_cast<double>(outcome.noisy) / static_cast<double>(outcome.times));
+    line += fmt::format(", {} times, the intervals of their ratios {:.2g} % wide in the median", outcome.times,
+                        percent * outcome.ratio_width);
   return line;
 }
 
@@ -191,7 +191,7 @@ std::string ending_json(const Outcome& outcome, const std::string& out, const st
     json["broken_promises"] = outcome.broken_promises;
     json["refuted_proofs"] = outcome.refuted_proofs;
     json["times"] = outcome.times;
-    json["noisy"] = outcome.noisy;
+    json["ratio_width"] = rounded(outcome.ratio_width);
   }
   json["seconds"] = rounded(outcome.seconds);
   json["findings"] = outcome.findings.size();

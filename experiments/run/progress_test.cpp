@@ -74,9 +74,11 @@ TEST(ProgressText, Ending) {
   outcome.ending = Ending::complete;
   outcome.cells = 154;
   outcome.times = 120;
-  outcome.noisy = 3;
+  outcome.ratio_width = 0.034;
   outcome.seconds = 48;
-  EXPECT_EQ(ending_line(outcome), "complete in 48 s: 154 cells, no bound violated, 3 of 120 times noisy (2.5 %)");
+  EXPECT_EQ(ending_line(outcome),
+            "complete in 48 s: 154 cells, no bound violated, 120 times, the intervals of their "
+            "ratios 3.4 % wide in the median");
   outcome.findings = {"bound violated 7 times"};
   outcome.cells = 1;
   outcome.violations = 7;

@@ -151,6 +151,8 @@ Outcome already_complete(const RunRequest& request, const Plan& plan) {
 
 }  // namespace
 
+void count(const RunRequest& request, std::size_t job) { Plan(request).jobs.at(job)->count(); }
+
 Outcome run(const RunRequest& request) {
   const Plan plan(request);
   tell_unasked(request, plan);

@@ -36,7 +36,7 @@ struct Outcome {
   std::uint64_t broken_promises = 0;  ///< trials in which a method said what does not hold
   std::uint64_t refuted_proofs = 0;   ///< properties that are stated as proved and do not hold
   std::size_t times = 0;              ///< rows of timing.csv
-  std::size_t noisy = 0;              ///< those of them that are noisy
+  double ratio_width = 0;             ///< of the intervals of their ratios, as a share of the ratio; the median
   double seconds = 0;                 ///< since the first block
 };
 
@@ -84,12 +84,17 @@ struct RunRequest {
   std::string methods_csv;     ///< the list of methods that goes into the bundle
   std::string generators_csv;  ///< the list of generators, likewise
   std::vector<std::pair<std::string, std::string>> curve_files;  ///< curve sets of the suites that are files, likewise
+  /// JobContext::count_job, for studies that count instructions.
+  std::function<std::vector<std::string>(std::size_t job)> count_job = {};
 };
 
 /// Runs all studies, or a shard of them, and writes the bundle once no block is missing. Until then blocks/ keeps the
 /// finished blocks, which are not run again. Throws Failure: interrupted when a signal arrived, usage when `out` holds
 /// another suite, seed or build, input_output when it cannot be written or another process does the same work there.
 Outcome run(const RunRequest& request);
+
+/// Calls Job::count() of one job, in a process that Callgrind runs; see RunRequest::count_job.
+void count(const RunRequest& request, std::size_t job);
 
 /// Joins partial bundles of the run that `request` describes into `request.out`, which may be one of them. The others
 /// stay as they are. The order does not matter. The ending is `nothing_to_do` where one of them is the whole run's

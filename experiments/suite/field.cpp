@@ -13,6 +13,8 @@ bool says_nothing(const T& value) {
     return value.empty();
   else if constexpr (std::is_same_v<T, std::int64_t>)
     return value == 0;
+  else if constexpr (std::is_same_v<T, Counting>)
+    return value == Counting::none;
   else
     return false;
 }

@@ -77,7 +77,7 @@ const Kind& kind_of(const Study& study);
 std::span<const Field> shared_fields();
 /// All keys of a kind, in the order in which they are written.
 std::vector<const Field*> fields_of(const Kind& kind);
-/// Whether every study of this kind must have the key; only where its curves are drawn if `field.curves` or the degree says so.
+/// Whether every study of this kind must have the key. With curve sets, axes of cells may be left out nevertheless.
 bool is_required(const Kind& kind, const Field& field);
 /// Whether the curves of the study are those of sets.
 inline bool has_sets(const Study& study) { return !study.curves.empty(); }

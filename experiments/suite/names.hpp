@@ -53,6 +53,10 @@ template <>
 inline constexpr std::array<Word<Placement>, 3> words<Placement>{
     {{Placement::stored, "stored"}, {Placement::scaled, "scaled"}, {Placement::translated, "translated"}}};
 
+template <>
+inline constexpr std::array<Word<Counting>, 3> words<Counting>{
+    {{Counting::none, "none"}, {Counting::beside_times, "beside_times"}, {Counting::only, "only"}}};
+
 template <class Enum>
 concept Worded = words<Enum>
 .size() > 0;

@@ -55,6 +55,9 @@ enum class ParameterSource { drawn, grid, stored };
 /// at most 64 times the largest coordinate on every axis, like a glyph on a page. The results are rounded once.
 enum class Placement { stored, scaled, translated };
 
+/// Whether a timing study counts instructions: not, beside its times, or instead of them.
+enum class Counting { none, beside_times, only };
+
 struct Interval {
   double min = 0;
   double max = 1;
@@ -99,14 +102,15 @@ struct Study {
   ParameterSource parameters_from = ParameterSource::drawn;
   std::vector<Placement> placement{Placement::stored};
   std::vector<std::shared_ptr<const sample::LoadedSet>> sets;  ///< those of `curves`, once they were read
-  std::shared_ptr<const sample::CurveSlice>
-      slice;  ///< its trials, where it is one of sample::studies_of() a study of sets
+  /// The inputs, where the study is one of those that sample::studies_of() makes of a study of sets; else null.
+  std::shared_ptr<const sample::CurveSlice> slice;
 
   // Keys that not every kind has; the kind's own fields (kind.hpp) say which.
   std::vector<int> order;         ///< orders of derivatives
   std::vector<int> points;        ///< numbers of data points, or of points of a grid
   std::vector<double> tolerance;  ///< relative to a length, or distances from data
   std::vector<Mode> modes{Mode::one_shot, Mode::point, Mode::latency, Mode::batch};
+  Counting counts = Counting::none;
   std::string published;                ///< file of printed values in reference/published; may be empty
   std::int64_t decomposed_trials = 0;   ///< trials per cell whose error is split into its parts
   std::int64_t budget = 0;              ///< inputs that a search may try per cell and method

@@ -79,7 +79,7 @@ void fill_errors(ChoiceGroup& group, const Judged& judged) {
 
 void add_rows(Tables& tables, const ChoiceGroup& group) {
   std::vector<metric::Tradeoff> tradeoffs;
-  for (const auto& choice : group.choices) tradeoffs.push_back({choice.ns, choice.errors.in_u.observed});
+  for (const auto& choice : group.choices) tradeoffs.push_back({choice.time(), choice.errors.in_u.observed});
   const auto fronts = metric::pareto_front(tradeoffs);
   for (std::size_t m = 0; m < group.choices.size(); ++m) {
     const Choice& choice = group.choices[m];
@@ -115,13 +115,15 @@ void LargestError::add(double seen, std::optional<double> proved, bool is_first)
     bound = proved ? std::optional(std::max(*bound, *proved)) : std::nullopt;
 }
 
-void LargestErrors::add(const TableRow& row) {
+void LargestErrors::add(const TableRow& row, double scale) {
   const bool finite = row.number("non_finite") == 0;
   const auto observed = [&](std::string_view column) {
     return finite ? row.number(column) : std::numeric_limits<double>::infinity();
   };
   in_u.add(observed("max_error_u"), bound(row, "bound_u"), rows == 0);
-  absolute.add(observed("max_error"), bound(row, "max_bound"), rows == 0);
+  auto absolute_bound = bound(row, "max_bound");
+  if (absolute_bound) *absolute_bound *= scale;
+  absolute.add(scale * observed("max_error"), absolute_bound, rows == 0);
   ++rows;
 }
 
@@ -145,10 +147,12 @@ std::vector<ChoiceGroup> timed_groups(const std::vector<TableRow>& timing) {
     };
     auto group = std::ranges::find_if(groups, same);
     if (group == groups.end()) group = groups.insert(groups.end(), key);
-    group->choices.push_back({row.text("method"),
-                              {row.number("median_ns"), row.number("low_ns"), row.number("high_ns")},
-                              row.text("quality"),
-                              {}});
+    auto& choice = group->choices.emplace_back(
+        row.text("method"), metric::Interval{row.number("median_ns"), row.number("low_ns"), row.number("high_ns")},
+        row.text("quality"), LargestErrors{});
+    if (!row.optional_number("ratio")) continue;
+    choice.ratio = metric::Interval{row.number("ratio"), row.number("ratio_low"), row.number("ratio_high")};
+    choice.relative_to = row.text("relative_to");
   }
   return groups;
 }

@@ -28,8 +28,8 @@ struct LargestErrors {
   LargestError absolute;  ///< in coordinate units
   std::size_t rows = 0;   ///< number of rows added
 
-  /// Adds a row of accuracy.csv or unstable.csv.
-  void add(const TableRow& row);
+  /// Adds a row of accuracy.csv or unstable.csv, as if its curves were `scale` times as large.
+  void add(const TableRow& row, double scale = 1);
 };
 
 struct Choice {
@@ -37,6 +37,12 @@ struct Choice {
   metric::Interval ns;  ///< per point
   std::string quality;  ///< of the time; a word of timing.csv
   LargestErrors errors;
+  std::optional<metric::Interval> ratio = {};  ///< of the time to that of `relative_to`, in the same race
+  std::string relative_to = {};
+  std::optional<double> instructions = {};  ///< per point, where they were counted
+
+  /// What the methods of a race are ordered by: the ratio, whose interval does not grow with the speed of the machine.
+  [[nodiscard]] const metric::Interval& time() const { return ratio ? *ratio : ns; }
 };
 
 /// The methods that raced each other in one race and were judged in one accuracy study.

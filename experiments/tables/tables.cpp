@@ -33,8 +33,7 @@ Row::Row(std::string_view file) : table_(&declared(file)), fields_(table_->colum
 
 std::size_t Row::place(std::string_view column) const {
   const auto* found = table_->column(column);
-  if (found == nullptr || found->is_deprecated)
-    throw std::logic_error(fmt::format("{}: no column {} in tables.schema.json", file(), column));
+  if (found == nullptr) throw std::logic_error(fmt::format("{}: no column {} in tables.schema.json", file(), column));
   return static_cast<std::size_t>(found - table_->columns.data());
 }
 
@@ -47,8 +46,7 @@ Row& Row::put(std::string_view column, Field value) {
 
 std::vector<std::string> Row::texts() const {
   std::vector<std::string> texts;
-  for (std::size_t k = 0; k < fields_.size(); ++k)
-    if (!table_->columns[k].is_deprecated) texts.push_back(text(fields_[k]));
+  for (const auto& field : fields_) texts.push_back(text(field));
   return texts;
 }
 

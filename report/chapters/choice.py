@@ -59,8 +59,7 @@ def _table(cell, members):
         error, bound = errors.text("observed_max_u" if timed else "max_error_u"), errors.text("bound_u")
         cells = [Cell(", ".join(filter(None, (general(one.error_u), lost(one.error_u)))), error), Cell(general(one.bound_u), bound)]
         if timed:
-            noisy = " ~" if one.timed["quality"] == "noisy" else ""
-            cells.insert(0, Cell(f"{general(one.ns)} [{general(one.timed['ns_low'])} – {general(one.timed['ns_high'])}]{noisy}", one.timed.text("ns")))
+            cells.insert(0, Cell(f"{general(one.ns)} [{general(one.timed['ns_low'])} – {general(one.timed['ns_high'])}]", one.timed.text("ns")))
             cells.append(Cell(WORTH.get(one.front, ""), one.front, "inside" if one.front == "yes" and not lost(one.error_u) else ""))
         return f"`{one.method}`", *cells
     head = ("method", *(["ns per point"] if timed else []), "largest observed error, u p~", "proved bound, u p~",

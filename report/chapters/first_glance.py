@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 """The first minute: machine and build, violations, noise, digest."""
 
+import statistics
+
 from .. import schema
 from ..document import Text, Tile, Tiles
-from ..wording import count, large
+from ..wording import count, large, percent
 from .parts import chapter
 
 COUNTED = {"exhaustive.csv": "points"}  # the column of the judged inputs, where it is not `trials`
@@ -18,7 +20,7 @@ def opening(bundle, _findings):
     if bundle.info.get("state") != "complete":
         yield Text(f"**The state of this bundle is {bundle.info.get('state', 'unknown')}: the run is not complete.** Every number below is of the part "
                    "that is there.")
-    yield Tiles((*_machine_and_build(bundle), *_judged(bundle), _noise(bundle), _digest(bundle)))
+    yield Tiles((*_machine_and_build(bundle), *_judged(bundle), _times(bundle), _digest(bundle)))
 
 
 def _text(value, *keys):
@@ -64,12 +66,13 @@ def _judged(bundle):
     yield Tile("violations", large(total) if broken else "none judged", _joined(*found), "outside" if total else "inside" if broken else "")
 
 
-def _noise(bundle):
-    times = [r for r in bundle.tables["timing.csv"].rows if r["quality"]] if "timing.csv" in bundle else []
-    noisy = sum(r["quality"] == "noisy" for r in times)
-    if not times:
-        return Tile("noise", "no times", "nothing was timed")
-    return Tile("noise", f"{large(noisy)} of {large(len(times))}", "times of noisy races", "explained" if noisy else "inside")
+def _times(bundle):
+    """How wide the intervals of the ratios are, which says how small a difference the times can show."""
+    ratios = [r for r in bundle.tables["timing.csv"].rows if r["ratio"] and r["relative_to"] != r["method"]] if "timing.csv" in bundle else []
+    if not ratios:
+        return Tile("times", "none", "nothing was timed")
+    width = statistics.median((r["ratio_high"] - r["ratio_low"]) / r["ratio"] for r in ratios)
+    return Tile("times", percent(width), f"the median width of the intervals of {count(len(ratios), 'ratio')} of times")
 
 
 def _digest(bundle):

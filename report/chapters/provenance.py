@@ -60,29 +60,28 @@ def _times(rows, table_id):
         yield Text("No time is in both.")
         return
     yield Text("Times of b over times of a, with the interval in brackets that contains the ratio in 99 of 100 cases, according to the variation of "
-               "times between the races of a run. `same` is within 1 %, `slower` and `faster` are beyond it, each with the whole interval; anything "
-               "else is `unresolved`. The line below gives the same with every time in units of the sentinel, fixed work that runs beside the methods: "
-               "use it to compare methods between machines."
-               + (" A ratio marked ~ comes from a race that was noisy on at least one side." if any(r["quality"] != "ok" for r in rows) else ""))
+               "times between the races of a run. The line below gives the ratio with every time in units of the sentinel, fixed work that runs beside "
+               "the methods. `same` is within 1 %, `slower` and `faster` are beyond it, each with both whole intervals on one kind of machine and with that "
+               "in sentinels between two; anything else is `unresolved`.")
     for study, of_study in grouped(rows, "study").items():
         kinds = grouped(of_study, "scalar", "dimension").values()
         for number, kind in enumerate(kinds, 1):
             english, chinese = form(kind[0]["form"])
             yield by_axis(kind, "degree", f"{table_id}-{study}" + (f"-{number}" if len(kinds) > 1 else ""),
                           f"Time of b over time of a, {english}, study {study} ({where(kind[0])})", f"用时之比，{chinese}",
-                          [(label, _ratio(*columns), {"mode": mode}) for mode in distinct(kind, "mode")
-                           for label, columns in ((mode, ("ratio", "verdict")), (f"{mode}, in sentinels", ("normalised", "normalised_verdict")))],
+                          [(label, _ratio(column), {"mode": mode}) for mode in distinct(kind, "mode")
+                           for label, column in ((mode, "ratio"), (f"{mode}, in sentinels", "normalised"))],
                           row_head="mode")
 
 
-def _ratio(column, verdict):
+def _ratio(column):
     def cell(rows):
         row = rows[-1]
         if row[column] is None:
             return Cell()
-        noisy = "" if row["quality"] == "ok" else " ~"
-        return Cell(f"{_three(row[column])} [{_three(row[f'{column}_low'])} – {_three(row[f'{column}_high'])}] {row[verdict]}{noisy}",
-                    row.text(column), "" if noisy else VERDICT.get(row[verdict], ""))
+        verdict = row["verdict"] if column == "ratio" else ""
+        return Cell(f"{_three(row[column])} [{_three(row[f'{column}_low'])} – {_three(row[f'{column}_high'])}] {verdict}".rstrip(),
+                    row.text(column), VERDICT.get(verdict, ""))
     return cell
 
 

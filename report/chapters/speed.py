@@ -78,8 +78,7 @@ def roofline(bundle, findings):
     yield Text("One curve, many t, on one core. The peak is that of fused multiply-adds, measured in the same rounds as the methods: "
                + listing(_peaks(table.rows)) + ". A fused multiply-add counts as two operations. Every point has the bits of the scalar kernel's"
                + ("." if all(r["checked"] == "yes" for r in table.rows) else ", **except where a row has `checked` no**.")
-               + " ✓ and ✗: the row has a goal, which is met or not. ~: in that race the peak itself was more than 2 % below the best of the study; "
-               "other processes were running.")
+               + " ✓ and ✗: the row has a goal, which is met or not.")
     for study in table.distinct("study"):
         yield from study_figure(bundle, study)
         yield from _kernels(bundle, study)
@@ -107,8 +106,8 @@ def _peaks(rows):
 
 def _kernel(rows):
     row = rows[-1]
-    noisy, sign = " ~" if row["quality"] == "noisy" else "", {"yes": " ✓", "no": " ✗"}.get(row["goal_met"], "")
-    return Cell(f"{general(row['median_ns'])}, {percent(row['share_of_peak'])}{noisy}{sign}", row.text("median_ns"), {"yes": "inside", "no": "outside"}.get(row["goal_met"], ""))
+    sign = {"yes": " ✓", "no": " ✗"}.get(row["goal_met"], "")
+    return Cell(f"{general(row['median_ns'])}, {percent(row['share_of_peak'])}{sign}", row.text("median_ns"), {"yes": "inside", "no": "outside"}.get(row["goal_met"], ""))
 
 
 PEER = "peer_"  # how the ids of other libraries' methods begin
@@ -134,14 +133,13 @@ def peers(bundle, findings):
                "inputs, through the same harness, timed in the same races. " + _libraries(bundle)
                + "Header-only libraries are compiled like our own methods, the others are as the system ships them, so last bits may differ from version "
                  "to version: their errors are in `unstable.csv`, which no digest covers."
-               + (" ✗: the timed output was not the judged one." if any(r["checked"] != "yes" for r in timed) else "")
-               + (" ~: the machine changed its speed during the race." if any(r["quality"] == "noisy" for r in timed) else ""))
+               + (" ✗: the timed output was not the judged one." if any(r["checked"] != "yes" for r in timed) else ""))
 
 
 def _time(rows):
     row = rows[-1]
     failed = "" if row["checked"] == "yes" else " ✗"
-    return Cell(general(row["median_ns"]) + (" ~" if row["quality"] == "noisy" else "") + failed, row.text("median_ns"), "outside" if failed else "")
+    return Cell(general(row["median_ns"]) + failed, row.text("median_ns"), "outside" if failed else "")
 
 
 def _libraries(bundle):

@@ -240,9 +240,9 @@ TEST_F(Verify, LongFieldsDoNotOverflowTheStack) {
 }
 
 TEST_F(Verify, RowsThatAccuse) {
-  change("timing.csv", ",noisy,yes", ",noisy,no");
+  change("timing.csv", ",ok,yes", ",ok,no");
   EXPECT_THAT(findings(), ElementsAre(HasSubstr("timing.csv:2: what was timed did not give what was judged")));
-  change("timing.csv", ",noisy,no", ",noisy,yes");
+  change("timing.csv", ",ok,no", ",ok,yes");
   change("timing.csv", "\nfixture-timing,", "\nother,");
   EXPECT_THAT(findings(), ElementsAre(HasSubstr("timing.csv:2: its study is not one of those of suite.toml")));
 }

@@ -62,13 +62,12 @@ Column column_of(const std::string& name, const Json& part, bool of_deterministi
                 .is_key = declared.value("key", false),
                 .is_number = holds_numbers(part),
                 .is_digested = false,
-                .is_deprecated = declared.value("deprecated", false),
                 .is_of_machine = declared.value("of_machine", false),
                 .accuses = declared.value("accuses", std::string()),
                 .is_of_promise = declared.value("of_promise", false)};
   if (const Json* limit = declared.find("at_most"))
     column.at_most = Limit{.column = limit->at("column"), .unless = limit->value("unless", std::string())};
-  column.is_digested = of_deterministic && !column.is_deprecated && declared.value("digested", true);
+  column.is_digested = of_deterministic && declared.value("digested", true);
   return column;
 }
 
@@ -116,7 +115,7 @@ const Column* DeclaredTable::column(std::string_view name) const {
 }
 
 std::vector<std::string> DeclaredTable::header() const {
-  return names(columns, [](const Column& column) { return !column.is_deprecated; });
+  return names(columns, [](const Column& /*column*/) { return true; });
 }
 
 std::vector<std::string> DeclaredTable::digested() const {

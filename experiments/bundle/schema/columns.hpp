@@ -21,7 +21,6 @@ struct Column {
   bool is_key = false;         ///< one of the columns that identify a row
   bool is_number = false;      ///< every field is a number or empty; else fields are text
   bool is_digested = false;    ///< part of the table's digests
-  bool is_deprecated = false;  ///< written by earlier programs only
   bool is_of_machine = false;  ///< a key that the suite does not determine
   /// What a count above 0, or a `no`, says against a row, for `verify`; empty where it does not matter.
   std::string accuses = {};
@@ -46,7 +45,7 @@ struct DeclaredTable {
 
   /// The column of this name; null where none is declared.
   [[nodiscard]] const Column* column(std::string_view name) const;
-  /// The columns that are written, in their order.
+  /// The names of the columns, in their order.
   [[nodiscard]] std::vector<std::string> header() const;
   /// The names of the columns that are digested, in their order.
   [[nodiscard]] std::vector<std::string> digested() const;

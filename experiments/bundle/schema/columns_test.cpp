@@ -46,11 +46,6 @@ TEST(Columns, SayWhetherTheyHoldNumbersAndWhatARowIsAbout) {
   EXPECT_FALSE(declared_table("worst.csv")->column("t")->is_number);
 }
 
-TEST(Columns, OfEarlierProgramsAreNotWritten) {
-  EXPECT_TRUE(declared_table("timing.csv")->column("sittings")->is_deprecated);
-  EXPECT_THAT(declared_table("timing.csv")->header(), Not(Contains("sittings")));
-}
-
 /// Digests are taken per study and method, so that every row must name both.
 TEST(Columns, OfDeterministicTablesNameStudyAndMethod) {
   for (const auto& table : declared_tables()) {

@@ -79,42 +79,56 @@ Against build(const std::string& id, const std::string& repository, bool quiet) 
       fmt::arg("repository", shell_word(repository)), fmt::arg("id", id));
   if (run_line(steps).code != 0)
     throw Failure(Exit::environment, fmt::format("{}: cannot be built; see {}", name, log));
-  return {false, name, folder / "build/release/bezierbench"};
+  return {.is_bundle = false, .name = name, .program = {folder / "build/release/bezierbench"}};
 }
 
 }  // namespace
 
-Against find_against(const std::string& word, bool quiet) {
+Against find_against(const std::string& word, const TestedProgram& now, const suite::ExternalMethod* method,
+                     bool quiet) {
   std::error_code error;
-  if (fs::is_directory(word, error)) return {true, word, word};
-  if (fs::is_regular_file(word, error)) return {false, word, fs::absolute(word)};
+  if (fs::is_directory(word, error)) return {.is_bundle = true, .name = word, .bundle = word};
+  if (method != nullptr && method->kind == suite::ExternalKind::program)
+    return {.is_bundle = false, .name = word, .program = {now.path, {"--program", word}}};
+  if (fs::is_regular_file(word, error)) {
+    if (method != nullptr && method->kind == suite::ExternalKind::plugin && word.ends_with(".so"))
+      return {.is_bundle = false, .name = word, .program = {now.path, {"--plugin", word}}};
+    return {.is_bundle = false, .name = word, .program = {fs::absolute(word), now.arguments}};
+  }
   const auto repository = git("rev-parse --show-toplevel");
   const auto commit = word.starts_with('-') ? "" : git("rev-parse --verify --quiet " + shell_word(word + "^{commit}"));
   if (repository.empty() || commit.empty())
     throw Failure(Exit::usage, fmt::format("--against {}: is not a file, a folder or a commit of the repository here; "
                                            "name a program, a bundle or a commit",
                                            echo(word)));
-  return build(commit, repository, quiet);
+  auto against = build(commit, repository, quiet);
+  against.program.arguments = now.arguments;
+  return against;
 }
 
-void run_suite(const fs::path& program, const fs::path& suite, const fs::path& out) {
-  if (access(program.c_str(), X_OK) != 0)
+void run_suite(const TestedProgram& program, const fs::path& suite, const fs::path& out,
+               std::vector<std::string> more) {
+  const auto& path = program.path;
+  if (access(path.c_str(), X_OK) != 0)
     throw Failure(Exit::usage,
-                  fmt::format("{}: cannot be started; name a bezierbench, a bundle or a commit", program.string()));
-  const auto ended = run_line(fmt::format("exec {} run {} --out {} --quiet", shell_word(program.string()),
-                                          shell_word(suite.string()), shell_word(out.string())));
+                  fmt::format("{}: cannot be started; name a bezierbench, a bundle or a commit", path.string()));
+  more.insert(more.end(), program.arguments.begin(), program.arguments.end());
+  auto line = fmt::format("exec {} run {} --out {} --quiet", shell_word(path.string()), shell_word(suite.string()),
+                          shell_word(out.string()));
+  for (const auto& word : more) line += ' ' + shell_word(word);
+  const auto ended = run_line(line);
   if (ended.code != static_cast<int>(Exit::fine) && ended.code != static_cast<int>(Exit::finding))
     throw Failure(Exit::usage, fmt::format("{}: `run` of the method's cells ended with exit code {}; name a "
                                            "bezierbench that has the method",
-                                           program.string(), ended.code));
+                                           path.string(), ended.code));
 }
 
 namespace {
 
-bundle::CsvDocument timed(const fs::path& program, const TimedPrograms& programs) {
+bundle::CsvDocument timed(const TestedProgram& program, const Programs& programs) {
   const auto out = programs.scratch / "times";
   fs::remove_all(out);
-  run_suite(program, programs.suite, out);
+  run_suite(program, programs.suite, out, {});
   const bundle::CheckedReader reader(out);
   return bundle::parse_csv(reader.read(compare::timing_file), reader.place(compare::timing_file));
 }
@@ -132,8 +146,12 @@ metric::Verdict PairedTimes::verdict() const {
                                                                          : metric::Verdict::unresolved;
 }
 
-std::map<compare::Inputs, PairedTimes> paired_times(const TimedPrograms& programs, const std::string& method,
-                                                    int pairs) {
+std::string PairedTimes::quality() const {
+  if (!checked) return "unchecked";
+  return metric::covers_median(before.size(), metric::timing_confidence) ? "ok" : "few_rounds";
+}
+
+std::map<compare::Inputs, PairedTimes> paired_times(const Programs& programs, const std::string& method, int pairs) {
   std::map<compare::Inputs, PairedTimes> times;
   for (int pair = 0; pair < pairs; ++pair) {
     const bool before_first = pair % 2 == 0;

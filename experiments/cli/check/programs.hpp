@@ -11,26 +11,36 @@
 #include "experiments/compare/join.hpp"
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
+#include "experiments/suite/external.hpp"
 
 namespace bezierbench::cli {
 
-struct Against {
-  bool is_bundle;
-  std::string name;            ///< for people
-  std::filesystem::path path;  ///< of the program or of the bundle's folder
+/// A bezierbench with its external methods.
+struct TestedProgram {
+  std::filesystem::path path;
+  std::vector<std::string> arguments = {};  ///< --plugin FILE, for example
 };
 
-/// A folder is a bundle, a file is a program, and any other word is a commit of the repository around the current
-/// folder. A commit is built with the preset `release` below $XDG_CACHE_HOME or ~/.cache, unless it was built before;
+struct Against {
+  bool is_bundle;
+  std::string name;                   ///< for people
+  std::filesystem::path bundle = {};  ///< its folder
+  TestedProgram program = {};         ///< where it is not a bundle
+};
+
+/// A folder is a bundle; of a method that is a command, any other word is that command before the change. A file is a
+/// plug-in where the method is one and the file's name ends in .so, else a program. Any other word is a commit of the
+/// repository around the current folder; it gets the external methods of `now`, this program. A commit is built with the preset `release` below $XDG_CACHE_HOME or ~/.cache, unless it was built before;
 /// `quiet` leaves out the message that says so. Throws Failure(Exit::usage) for any other word, and
 /// Failure(Exit::environment), naming the file with the output, where the commit cannot be built.
-Against find_against(const std::string& word, bool quiet);
+Against find_against(const std::string& word, const TestedProgram& now, const suite::ExternalMethod* method,
+                     bool quiet);
 
-/// `PROGRAM run SUITE --out OUT --quiet`. A violated bound is not a failure, since the bundle records it. Throws
+/// `PROGRAM run SUITE --out OUT --quiet MORE...`. A violated bound is not a failure, since the bundle records it. Throws
 /// Failure(Exit::usage) where the program cannot be started or fails otherwise, and Failure(Exit::interrupted) where a
 /// signal asked this program to end meanwhile.
-void run_suite(const std::filesystem::path& program, const std::filesystem::path& suite,
-               const std::filesystem::path& out);
+void run_suite(const TestedProgram& program, const std::filesystem::path& suite, const std::filesystem::path& out,
+               std::vector<std::string> more);
 
 /// The times of one row of timing.csv, in nanoseconds per point; element k of both is pair k. Not empty.
 struct PairedTimes {
@@ -42,11 +52,13 @@ struct PairedTimes {
   [[nodiscard]] metric::Interval ratio() const;
   /// Unresolved where there are too few pairs for an interval.
   [[nodiscard]] metric::Verdict verdict() const;
+  /// As in timing.csv, where pairs are what repetitions are there.
+  [[nodiscard]] std::string quality() const;
 };
 
-struct TimedPrograms {
-  std::filesystem::path before;
-  std::filesystem::path after;
+struct Programs {
+  TestedProgram before;
+  TestedProgram after;
   std::filesystem::path suite;    ///< a file with timing studies
   std::filesystem::path scratch;  ///< a folder for their bundles
 };
@@ -56,7 +68,6 @@ struct TimedPrograms {
 /// in a race (experiments/race/race.hpp): every process has its own addresses of stack, heap and code, which may
 /// change a time by more than the difference that is looked for. Rows that only one program has are left out. Throws
 /// Failure where a program fails.
-std::map<compare::Inputs, PairedTimes> paired_times(const TimedPrograms& programs, const std::string& method,
-                                                    int pairs);
+std::map<compare::Inputs, PairedTimes> paired_times(const Programs& programs, const std::string& method, int pairs);
 
 }  // namespace bezierbench::cli

@@ -11,7 +11,6 @@
 #include "experiments/bundle/schema/columns.hpp"
 #include "experiments/cli/commands/comparison_text.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
-#include "experiments/compare/comparison.hpp"
 #include "experiments/requirements/requirements.hpp"
 #include "experiments/tables/table_row.hpp"
 #include "reference/number/echo.hpp"
@@ -121,36 +120,44 @@ void Report::add_bound(std::optional<double> used, const run::Outcome& judged) {
   if (judged.refuted_proofs > 0) findings.push_back(fmt::format("{} proofs are refuted", judged.refuted_proofs));
 }
 
-void Report::add_changes(const std::string& name, const compare::Side& before, const compare::Side& after) {
+void Report::add_changes(const std::string& name, const compare::Comparison& comparison) {
   std::vector<std::string> builds;
   for (const std::string fact : {"build.compiler", "build.flags"})
-    if (before.fact(fact) != after.fact(fact))
-      builds.push_back(fmt::format("{} differs: {} before, {} now", fact, printable(before.fact(fact)),
-                                   printable(after.fact(fact))));
+    if (comparison.a->fact(fact) != comparison.b->fact(fact))
+      builds.push_back(fmt::format("{} differs: {} before, {} now", fact, printable(comparison.a->fact(fact)),
+                                   printable(comparison.b->fact(fact))));
   add("against", printable(name), builds);
 
-  const auto comparison = compare::compare_sides(before, after);
-  const auto is_of_method = [&](const auto& row) { return row.inputs.field("method") == method; };
-  const auto rows = std::ranges::count_if(comparison.results, is_of_method);
   std::vector<std::string> details;
   for (const auto* row : comparison.differing())
-    if (is_of_method(*row))
-      details.push_back(
-          fmt::format("{} {} -> {} at {}", row->column, printable(row->a), printable(row->b), row_words(row->inputs)));
+    details.push_back(
+        fmt::format("{} {} -> {} at {}", row->column, printable(row->a), printable(row->b), row_words(row->inputs)));
+  const auto rows = comparison.results.size();
   const auto changed = details.size();
   for (const auto& [singles, what] : {std::pair(&comparison.only_a, "missing"), std::pair(&comparison.only_b, "new")})
     for (const auto& one : *singles)
-      if (is_of_method(one) && one.file != compare::timing_file)
+      if (one.inputs.field("method") == method && one.file != compare::timing_file)
         details.push_back(printable(fmt::format("a row of {} is {}: {}", one.file, what, one.inputs.words())));
   add("  accuracy",
-      rows == 0 && details.empty()
-          ? "no rows to compare"
-          : fmt::format("the same bits in {} of {} rows", static_cast<std::size_t>(rows) - changed, rows),
+      rows == 0 && details.empty() ? "no rows to compare"
+                                   : fmt::format("the same bits in {} of {} rows", rows - changed, rows),
       details);
-  if (changed > 0)
-    findings.push_back(fmt::format("accuracy differs in {} of {} rows", changed, rows));
-  else if (!details.empty())
-    findings.emplace_back("rows are missing or new");
+  if (details.size() > changed) findings.emplace_back("rows are missing or new");
+}
+
+void Report::add_counts(const std::vector<compare::Row>& costs) {
+  std::multimap<double, std::string, std::greater<>> changed;
+  for (const auto& row : costs)
+    if (row.verdict == compare::different || all)
+      changed.emplace(row.ratio.median, fmt::format("{:.3f}  {} -> {} instructions  {}", row.ratio.median, row.a, row.b,
+                                                    row_words(row.inputs)));
+  std::vector<std::string> most_costly_first;
+  for (auto& [ratio, text] : changed) most_costly_first.push_back(std::move(text));
+  add("  counts",
+      costs.empty() ? "none: the programs are of different compilers or flags"
+                    : fmt::format("the same instructions in {} of {} races",
+                                  std::ranges::count(costs, compare::identical, &compare::Row::verdict), costs.size()),
+      most_costly_first);
 }
 
 void Report::add_times(const std::map<compare::Inputs, PairedTimes>& times, int pairs) {
@@ -177,8 +184,6 @@ void Report::add_times(const std::map<compare::Inputs, PairedTimes>& times, int 
                   counts[Verdict::slower], counts[Verdict::faster], counts[Verdict::same], counts[Verdict::unresolved],
                   times.size(), pairs),
       slowest_first, is_decided ? 3 : 1);
-  if (counts[Verdict::slower] > 0)
-    findings.push_back(fmt::format("slower in {} of {} races", counts[Verdict::slower], times.size()));
   if (!all_checked) findings.emplace_back("timed results differ from the judged ones");
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "experiments/cli/check/programs.hpp"
-#include "experiments/compare/side.hpp"
+#include "experiments/compare/comparison.hpp"
 #include "experiments/run/run.hpp"
 
 namespace bezierbench::cli {
@@ -33,8 +33,10 @@ struct Report {
   /// Whether the bound and what else the method guarantees hold. `used` is the largest error over its bound; empty
   /// where no bound is stated.
   void add_bound(std::optional<double> used, const run::Outcome& judged);
-  /// What changed from `before` to `after`, two bundles of the same cells: the build and the results.
-  void add_changes(const std::string& name, const compare::Side& before, const compare::Side& after);
+  /// What changed between two bundles of the same cells, with rows of the method only: the build and the results.
+  void add_changes(const std::string& name, const compare::Comparison& comparison);
+  /// The counts of instructions that changed, the most costly first.
+  void add_counts(const std::vector<compare::Row>& costs);
   /// Times by descending ratio; those with the verdict `same` only if all are shown.
   void add_times(const std::map<compare::Inputs, PairedTimes>& times, int pairs);
 

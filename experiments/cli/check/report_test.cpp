@@ -55,14 +55,14 @@ PairedTimes times_with(double factor, bool checked = true) {
   return {std::vector<double>(8, 10), std::vector<double>(8, factor * 10), checked};
 }
 
-TEST(Report, SlowerOrWrongTimesAreFindings) {
+TEST(Report, WrongTimesAreFindings) {
   Report report{.method = "m"};
   report.add_times({{at_degree(1), times_with(1)}, {at_degree(2), times_with(0.5)}}, 8);
   EXPECT_TRUE(report.findings.empty());
   report.lines.clear();
   report.add_times({{at_degree(1), times_with(1)}, {at_degree(2), times_with(2)}, {at_degree(3), times_with(1, false)}},
                    8);
-  EXPECT_THAT(report.findings, ElementsAre("slower in 1 of 3 races", "timed results differ from the judged ones"));
+  EXPECT_THAT(report.findings, ElementsAre("timed results differ from the judged ones")) << "gates judge the others";
   EXPECT_THAT(report.text(), HasSubstr("degree 2"));
   EXPECT_THAT(report.text(), HasSubstr("degree 3, wrong results"));
   EXPECT_THAT(report.text(), testing::Not(HasSubstr("degree 1"))) << "its time is the same";

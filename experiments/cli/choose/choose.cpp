@@ -62,6 +62,7 @@ struct Wish {
 /// The tables of a bundle that a choice uses.
 struct Evidence {
   bundle::CsvDocument timing;
+  std::optional<bundle::CsvDocument> cost;
   tables::JudgedTables judged;
   std::optional<bundle::CsvDocument> methods;
 };
@@ -87,8 +88,11 @@ struct Candidate {
 
 /// `coordinates in [-1, 1], t in [0, 1]`.
 std::string class_words(const DrawnClass& of) {
-  return fmt::format("coordinates in [{0}, {1}], t in [{2}, {3}]", number::decimal(-of.range),
-                     number::decimal(of.range), number::decimal(of.t.min), number::decimal(of.t.max));
+  const auto words = fmt::format("coordinates in [{0}, {1}], t in [{2}, {3}]", number::decimal(-of.range),
+                                 number::decimal(of.range), number::decimal(of.t.min), number::decimal(of.t.max));
+  if (of.exponent == 0) return words;
+  return fmt::format("{}; judged in [{}, {}], times 2^{}", words, number::decimal(-of.judged_range()),
+                     number::decimal(of.judged_range()), of.exponent);
 }
 
 /// The timing study and how its curves were drawn: `speed-bezier: coordinates in [-1, 1], t in [0, 1], continuous`.
@@ -137,7 +141,20 @@ Evidence read_evidence(const Wish& wish) {
   std::vector<bundle::CsvDocument> accuracies;
   for (const std::string file : {"accuracy.csv", "unstable.csv"})
     if (auto found = table(file)) accuracies.push_back(std::move(*found));
-  return {std::move(*timing), tables::JudgedTables(std::move(accuracies)), table("methods.csv")};
+  return {std::move(*timing), table("cost.csv"), tables::JudgedTables(std::move(accuracies)), table("methods.csv")};
+}
+
+/// The counted instructions of the methods, where the bundle has them.
+void set_instructions(const Evidence& evidence, ChoiceGroup& group) {
+  if (!evidence.cost) return;
+  for (const auto& row : tables::rows_of(*evidence.cost)) {
+    if (row.text("study") != group.study || row.text("form") != group.form || row.text("scalar") != group.scalar ||
+        row.text("dimension") != group.dimension || row.text("degree") != group.degree ||
+        row.text("mode") != group.mode)
+      continue;
+    const auto found = std::ranges::find(group.choices, row.text("method"), &Choice::method);
+    if (found != group.choices.end()) found->instructions = row.number("instructions");
+  }
 }
 
 /// The races of the wish. Where there is none, throws Failure with the values that are available.
@@ -172,15 +189,20 @@ std::vector<JudgedRace> judged_races(const Evidence& evidence, const Wish& wish)
   std::vector<JudgedRace> races;
   std::string missing;  // of the first, which most of the users of a bundle are after
   for (auto group : races_of(evidence, wish)) {
-    const auto of = class_of(group, wish.range);
-    if (!of) continue;
+    const auto asked = class_of(group, wish.range);
+    if (!asked) continue;
+    const auto judged = judged_ranges(group, evidence.judged, wish.accuracy_study);
+    const auto of =
+        scaled_to(*asked, class_of(group, {})->range, judged, wish.scalar == suite::name(suite::ScalarKind::float32))
+            .value_or(*asked);
     if (missing.empty())
-      missing = fmt::format(
-          "no timed method was judged at degree {} with {} (judged ranges of coordinates: {}); see --range",
-          wish.degree, class_words(*of), fmt::join(judged_ranges(group, evidence.judged, wish.accuracy_study), ", "));
-    auto cells = judge_class(group, *of, evidence.judged, evidence.methods, wish.accuracy_study);
-    std::ranges::stable_sort(group.choices, {}, [](const Choice& choice) { return choice.ns.median; });
-    if (!group.choices.empty()) races.push_back({std::move(group), *of, std::move(cells)});
+      missing =
+          fmt::format("no timed method was judged at degree {} with {} (judged ranges of coordinates: {}); see --range",
+                      wish.degree, class_words(*asked), fmt::join(judged, ", "));
+    auto cells = judge_class(group, of, evidence.judged, evidence.methods, wish.accuracy_study);
+    std::ranges::stable_sort(group.choices, {}, [](const Choice& choice) { return choice.time().median; });
+    set_instructions(evidence, group);
+    if (!group.choices.empty()) races.push_back({std::move(group), of, std::move(cells)});
   }
   if (races.empty())
     refuse(wish, missing.empty() ? "timing.csv does not state the range of the timed curves in numbers" : missing);
@@ -191,7 +213,7 @@ std::vector<JudgedRace> judged_races(const Evidence& evidence, const Wish& wish)
 /// The methods within the tolerance, in the order of the race.
 std::vector<Candidate> candidates_of(const JudgedRace& race, const Wish& wish) {
   std::vector<metric::Tradeoff> tradeoffs;
-  for (const auto& choice : race.group.choices) tradeoffs.push_back({choice.ns, wish.error_of(choice).observed});
+  for (const auto& choice : race.group.choices) tradeoffs.push_back({choice.time(), wish.error_of(choice).observed});
   const auto fronts = metric::pareto_front(tradeoffs);
   std::vector<Candidate> candidates;
   for (std::size_t k = 0; k < fronts.size(); ++k) {
@@ -213,10 +235,17 @@ std::vector<Candidate> candidates_of(const JudgedRace& race, const Wish& wish) {
 std::string paragraph(const std::string& text) { return wrapped("", printable(text), 4); }
 std::string indented(const std::string& text) { return wrapped("  ", printable(text), 4); }
 
+/// `0.244 [0.24, 0.25]`, or the time alone where there is no ratio.
+std::string ratio_text(const Choice& choice) {
+  if (!choice.ratio) return "";
+  return fmt::format("{:.3g} [{:.3g}, {:.3g}]", choice.ratio->median, choice.ratio->low, choice.ratio->high);
+}
+
 std::string in_few_words(const Candidate& one, const Wish& wish) {
-  const auto& ns = one.choice->ns;
-  return fmt::format("{} ns [{}, {}] a point, error {} {}", brief(ns.median), brief(ns.low), brief(ns.high),
-                     brief(one.error), wish.unit_words());
+  const auto& choice = *one.choice;
+  const auto time = choice.ratio ? fmt::format("{} times the time of {}", ratio_text(choice), choice.relative_to)
+                                 : fmt::format("{} ns a point", brief(choice.ns.median));
+  return fmt::format("{}, error {} {}", time, brief(one.error), wish.unit_words());
 }
 
 /// The fastest method and why it is the first, and what speaks for others. Empty where no method is within.
@@ -230,7 +259,7 @@ std::string winner_text(const std::vector<Candidate>& candidates, const JudgedRa
   constexpr std::size_t most_named = 2;
   std::vector<std::string> equals;
   for (const auto& one : candidates)
-    if (&one != &best && one.choice->ns.low <= best.choice->ns.high) equals.push_back(one.choice->method);
+    if (&one != &best && one.choice->time().low <= best.choice->time().high) equals.push_back(one.choice->method);
   const auto count = equals.size();
   equals.resize(std::min(count, most_named));
   if (count > 0)
@@ -260,15 +289,21 @@ std::string heading_text(const std::vector<JudgedRace>& races, const Wish& wish)
   const auto scope =
       wish.unit == "u" ? fmt::format(" with p~ of at least {}", brief(least_p_tilde(group, race.of))) : "";
   return text + paragraph(fmt::format("proved: for every such curve and t{}", scope)) +
-         paragraph("proved for the trials: for the inputs that were judged") + paragraph("~: unreliable timing") +
+         paragraph("proved for the trials: for the inputs that were judged") +
+         paragraph(
+             "ratio: of the time to that of the method named in the heading, measured side by side; ns: about, on "
+             "the machine of the bundle") +
          paragraph("pareto: no other method is both faster and more accurate; unresolved: the times do not decide") +
          "\n";
 }
 
 std::string methods_table(const std::vector<Candidate>& candidates) {
-  std::vector<std::vector<std::string>> lines{{"method", "ns", "error", "bound", "tolerance", "pareto"}};
+  const auto& relative_to = candidates.empty() ? std::string() : candidates.front().choice->relative_to;
+  std::vector<std::vector<std::string>> lines{
+      {"method", "ratio to " + relative_to, "instructions", "ns", "error", "bound", "tolerance", "pareto"}};
   for (const auto& one : candidates)
-    lines.push_back({one.choice->method, brief(one.choice->ns.median) + (one.choice->quality == "ok" ? "" : " ~"),
+    lines.push_back({one.choice->method, ratio_text(*one.choice),
+                     one.choice->instructions ? brief(*one.choice->instructions) : "", brief(one.choice->ns.median),
                      brief(one.error), one.bound ? brief(*one.bound) : "", std::string(one.assurance),
                      std::string(metric::name(one.front))});
   return fitted(std::move(lines), terminal_width(STDOUT_FILENO));
@@ -276,15 +311,35 @@ std::string methods_table(const std::vector<Candidate>& candidates) {
 
 bundle::CsvTable csv_table(const std::vector<Candidate>& candidates, const JudgedRace& race, const Wish& wish) {
   using number::decimal;
-  bundle::CsvTable table({"method", "mode", "ns", "ns_low", "ns_high", "observed_max", "bound", "unit", "pareto",
-                          "tolerance", "quality", "bound_of", "coordinate_range", "t_min", "t_max", "least_p_tilde"});
+  bundle::CsvTable table(
+      {"method", "mode",          "ns",        "ns_low",    "ns_high",    "observed_max",     "bound",
+       "unit",   "pareto",        "tolerance", "quality",   "bound_of",   "coordinate_range", "t_min",
+       "t_max",  "least_p_tilde", "ratio",     "ratio_low", "ratio_high", "relative_to",      "instructions"});
   for (const auto& one : candidates) {
     const auto& ns = one.choice->ns;
-    table.add_row({one.choice->method, race.group.mode, decimal(ns.median), decimal(ns.low), decimal(ns.high),
-                   decimal(one.error), one.bound ? decimal(*one.bound) : "", wish.unit,
-                   std::string(metric::name(one.front)), std::string(one.assurance), one.choice->quality,
-                   std::string(one.bound_of), decimal(race.of.range), decimal(race.of.t.min), decimal(race.of.t.max),
-                   decimal(least_p_tilde(race.group, race.of))});
+    const auto& ratio = one.choice->ratio;
+    const auto end_of_ratio = [&](double metric::Interval::*end) { return ratio ? decimal(*ratio.*end) : ""; };
+    table.add_row({one.choice->method,
+                   race.group.mode,
+                   decimal(ns.median),
+                   decimal(ns.low),
+                   decimal(ns.high),
+                   decimal(one.error),
+                   one.bound ? decimal(*one.bound) : "",
+                   wish.unit,
+                   std::string(metric::name(one.front)),
+                   std::string(one.assurance),
+                   one.choice->quality,
+                   std::string(one.bound_of),
+                   decimal(race.of.range),
+                   decimal(race.of.t.min),
+                   decimal(race.of.t.max),
+                   decimal(least_p_tilde(race.group, race.of)),
+                   end_of_ratio(&metric::Interval::median),
+                   end_of_ratio(&metric::Interval::low),
+                   end_of_ratio(&metric::Interval::high),
+                   one.choice->relative_to,
+                   one.choice->instructions ? decimal(*one.choice->instructions) : ""});
   }
   return table;
 }

@@ -50,12 +50,13 @@ class Choose(Case):
         return list(csv.DictReader(io.StringIO(self.fine("choose", "b", "--degree", "8", "--format", "csv", *more))))
 
     def retime(self, ns, **more):
-        """Puts other times, and more in every row, into timing.csv: choose reads that file."""
+        """Puts other times, those of a base that takes 10 ns, and more in every row, into timing.csv: choose reads that file."""
         rows = self.table("timing.csv")
         for row in rows:
             row.update(more)
             if row["method"] in ns:
                 row.update(zip(["median_ns", "low_ns", "high_ns"], map(str, ns[row["method"]])))
+                row.update(zip(["ratio", "ratio_low", "ratio_high"], (str(one / 10) for one in ns[row["method"]])))
         with open(self.folder / "b/timing.csv", "w", newline="") as file:
             writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
             writer.writeheader()
@@ -68,7 +69,8 @@ class Choose(Case):
         found = self.chosen("--tolerance", "30")
         self.assertEqual(list(found[0])[:len(COLUMNS)], COLUMNS)
         self.assertEqual({row["method"] for row in found}, {m for m in errors if errors[m] <= 30})
-        self.assertEqual([float(row["ns"]) for row in found], sorted(float(row["ns"]) for row in found))
+        self.assertEqual([float(row["ratio"]) for row in found], sorted(float(row["ratio"]) for row in found))
+        self.assertEqual({row["relative_to"] for row in found}, {self.table("timing.csv")[0]["relative_to"]})
         for row in found:
             self.assertEqual(float(row["observed_max"]), errors[row["method"]])
             self.assertEqual((row["unit"], row["mode"]), ("u", "point"))
@@ -132,9 +134,9 @@ class Choose(Case):
         self.retime(apart)
         wide = self.lines("--tolerance", "1e9")
         self.assertEqual(wide[0], "differences:horner, the fastest of 5 (of 5) within 1e9 u p~")
-        self.assertRegex(wide[1], r"^  5 ns \[4, 6\] a point, error \S+ u p~; proved for the trials$")
+        self.assertRegex(wide[1], r"^  0\.5 \[0\.4, 0\.6\] times the time of \w+, error \S+ u p~; proved for the trials$")
         self.assertRegex(wide[2], r"^  the fastest with a proof: horner_bernstein$")
-        self.assertRegex(wide[3], r"^  10 ns \[9, 11\] a point")
+        self.assertRegex(wide[3], r"^  1 \[0\.9, 1\.1\] times the time of \w+")
         narrow = self.lines("--tolerance", "30")
         self.assertTrue(narrow[0].startswith("horner_bernstein, the fastest of 3 (of 5) within 30 u p~"), narrow[0])
         self.assertEqual(narrow[2], "")  # no other is as fast, and it is proved
@@ -163,7 +165,7 @@ class Choose(Case):
         told = self.fine("choose", "two", "--degree", "8", "--tolerance", "1e300").splitlines()
         at = told.index("other timing studies, see --study:")
         self.assertEqual(told[at + 1], "  wide: coordinates in [-1, 1], t in [-10, 10], continuous")
-        self.refused(USAGE, ["choose", "two", "--degree", "8", "--tolerance", "1", "--range", "5"], "coordinates in [-5, 5], t in [0, 1]")
+        self.refused(USAGE, ["choose", "two", "--degree", "8", "--tolerance", "1", "--range", "1e200"], "coordinates in [-1e+200, 1e+200], t in [0, 1]")
 
     def offered(self, *wish):
         """The command that a refusal offers, as words; quick and speed are suites that come with the program."""
@@ -197,6 +199,15 @@ class Choose(Case):
         self.assertEqual({row["method"] for row in found}, {m for m in errors if errors[m] <= tolerance})
         self.assertEqual({row["unit"] for row in found}, {"coordinate"})
 
+    def test_other_ranges_are_scaled_by_powers_of_two(self):
+        """1000 is below 1 times 2^10, and errors in coordinates are as many times those of the judged curves."""
+        near, far = (self.chosen("--tolerance", "1e300", "--unit", "coordinate", "--range", range_) for range_ in ("1", "1000"))
+        self.assertEqual({row["coordinate_range"] for row in far}, {"1024"})
+        self.assertEqual({row["method"]: float(row["observed_max"]) for row in far},
+                         {row["method"]: 1024 * float(row["observed_max"]) for row in near})
+        self.assertIn("coordinates in [-1024, 1024], t in [0, 1]; judged in [-1, 1], times 2^10",
+                      self.fine("choose", "b", "--degree", "8", "--tolerance", "1e300", "--range", "1000"))
+
     def test_pareto_file_says_the_same(self):
         rows = {row["method"]: row for row in self.table("pareto.csv")}
         self.assertEqual(set(rows), set(METHODS))
@@ -224,7 +235,7 @@ class Choose(Case):
         self.refused(USAGE, [*asked, "8", "--study", "other"], "(available: race")
         self.refused(USAGE, [*asked, "8", "--accuracy-study", "other"], "other")
         self.refused(USAGE, [*asked, "8", "--unit", "ulp"], "--unit")
-        self.refused(USAGE, [*asked, "8", "--range", "3"], "0.5, 1, 8")
+        self.refused(USAGE, [*asked, "8", "--range", "1e200"], "0.5, 1, 8")
         self.refused(USAGE, [*asked, "8", "--range", "-1"], "--range -1")
         self.refused(USAGE, ["choose", "b", "--degree", "8", "--tolerance", "nan"], "nan")
         self.refused(INPUT_OUTPUT, ["choose", "nowhere", "--degree", "8", "--tolerance", "1"], "nowhere")

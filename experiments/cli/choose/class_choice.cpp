@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
@@ -27,10 +28,10 @@ DrawnClass drawn_class(const tables::TableRow& row) {
 }
 
 bool lies_within(const DrawnClass& part, const DrawnClass& whole) {
-  return part.range <= whole.range && part.t.min >= whole.t.min && part.t.max <= whole.t.max;
+  return part.range <= whole.judged_range() && part.t.min >= whole.t.min && part.t.max <= whole.t.max;
 }
 
-bool is_same(const DrawnClass& a, const DrawnClass& b) { return a.range == b.range && a.t == b.t; }
+bool is_same(const DrawnClass& a, const DrawnClass& b) { return a.range == b.judged_range() && a.t == b.t; }
 
 std::string cell_words(const tables::TableRow& row) {
   return fmt::format("{}: R {}, t in [{}, {}], {}{}", row.text("study"), row.text("coordinate_range"),
@@ -106,6 +107,23 @@ std::vector<double> judged_ranges(const tables::ChoiceGroup& group, const tables
   return {ranges.begin(), ranges.end()};
 }
 
+std::optional<DrawnClass> scaled_to(DrawnClass of, double timed, const std::vector<double>& judged, bool in_float) {
+  if (std::ranges::find(judged, of.range) != judged.end()) return of;
+  const int most = in_float ? 60 : 500;
+  std::optional<DrawnClass> best;
+  for (const double range : judged) {
+    DrawnClass one{0, of.t, static_cast<int>(std::ceil(std::log2(of.range / range)))};
+    while (std::ldexp(range, one.exponent) < of.range) ++one.exponent;
+    one.range = std::ldexp(range, one.exponent);
+    if (std::abs(std::ilogb(one.range)) > most) continue;
+    const auto order = [&](const DrawnClass& c) {
+      return std::tuple(c.range, c.judged_range() != timed, std::abs(c.exponent));
+    };
+    if (!best || order(one) < order(*best)) best = one;
+  }
+  return best;
+}
+
 std::vector<std::string> judge_class(tables::ChoiceGroup& group, const DrawnClass& of,
                                      const tables::JudgedTables& judged,
                                      const std::optional<bundle::CsvDocument>& methods,
@@ -122,7 +140,7 @@ std::vector<std::string> judge_class(tables::ChoiceGroup& group, const DrawnClas
     if (method == seen.end() || !is_of_kind(row, group)) return;
     const auto drawn = drawn_class(row);
     if (!lies_within(drawn, of)) return;
-    method->second.errors.add(row);
+    method->second.errors.add(row, std::ldexp(1.0, of.exponent));
     method->second.of_the_class = method->second.of_the_class || is_same(drawn, of);
     add_once(studies, row.text("study"));
     add_once(cells, cell_words(row));

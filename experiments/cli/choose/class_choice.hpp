@@ -2,6 +2,7 @@
 // A choice between methods for a class of curves, based on the bundle's rows within the class and on proved bounds.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,11 @@ namespace bezierbench::cli {
 struct DrawnClass {
   double range = 0;
   suite::Interval t;
+  /// What is known of it is known of coordinates in [-range, range] 2^-exponent: no method's roundings depend on a power
+  /// of two, as long as no number leaves the range of normal ones.
+  int exponent = 0;
+
+  [[nodiscard]] double judged_range() const { return std::ldexp(range, -exponent); }
 };
 
 /// The class that was timed, with another range if one is given. Empty where timing.csv does not state it in numbers.
@@ -25,6 +31,11 @@ std::optional<DrawnClass> class_of(const tables::ChoiceGroup& group, std::option
 /// it is empty.
 std::vector<double> judged_ranges(const tables::ChoiceGroup& group, const tables::JudgedTables& judged,
                                   const std::string& accuracy_study);
+
+/// The class itself, where its range is one of those that were judged, else the smallest that contains it and has one of
+/// these ranges times a power of two. Empty where the curves are so large or small that methods may overflow or underflow.
+/// Of several such ranges that of the timed curves is taken, `timed`, then the nearest.
+std::optional<DrawnClass> scaled_to(DrawnClass of, double timed, const std::vector<double>& judged, bool in_float);
 
 /// Sets the errors of the group's methods over all rows whose range and interval lie within the class, and the bounds
 /// of the class. Only rows of `accuracy_study` count, unless it is empty. Removes methods without a row for the class

@@ -65,6 +65,30 @@ TEST(ClassChoice, TakesEveryRowWithinTheClass) {
   EXPECT_EQ(group.choices[0].errors.in_u.observed, 3);
 }
 
+/// Errors in u stay, those in coordinates grow with the curves; the bound of the class is that of the larger curves.
+TEST(ClassChoice, ScalesByAPowerOfTwo) {
+  const auto scaled = [](double range, const std::vector<double>& judged, bool in_float = false) {
+    return scaled_to({range, {0, 1}}, 1, judged, in_float);
+  };
+  EXPECT_EQ(scaled(10, {1, 10})->exponent, 0);
+  EXPECT_EQ(scaled(3, {1, 10})->range, 4);
+  EXPECT_EQ(scaled(5, {1, 10})->range, 5) << "a half of 10";
+  EXPECT_EQ(scaled(5, {1, 10})->exponent, -1);
+  EXPECT_EQ(scaled(0.3, {1})->range, 0.5);
+  EXPECT_EQ(scaled(7, {1, 8})->exponent, 3) << "that of the timed curves";
+  EXPECT_FALSE(scaled(1e20, {1}, true));
+  EXPECT_TRUE(scaled(1e20, {1}));
+  EXPECT_FALSE(scaled(1e200, {1}));
+  auto group = timed({"de_casteljau"});
+  const auto cells = judge_class(group, *scaled(35, {10}), judged({{"truth", "de_casteljau", "10,0,1", "1,3,15,20"}}),
+                                 methods_csv(own_methods), "");
+  EXPECT_EQ(cells.size(), 1U);
+  EXPECT_EQ(group.choices.at(0).errors.in_u.observed, 3);
+  EXPECT_EQ(group.choices.at(0).errors.absolute.observed, 4);
+  EXPECT_EQ(group.choices.at(0).errors.absolute.bound, 80);
+  EXPECT_NEAR(*group.choices.at(0).errors.absolute.class_bound / (15 * 0x1p-53 * 40), 1, 1e-12);
+}
+
 TEST(ClassChoice, LeavesOutWhatWasJudgedOnAPartOfTheClassOnly) {
   auto group = timed({"de_casteljau", "direct"});
   judge_class(group, {10, {0, 1}},

@@ -18,7 +18,7 @@ void add_list(Command program, Exit& exit, std::span<const external::OwnMethod> 
 void add_verify(Command program, Exit& exit);
 void add_replay(Command program, Exit& exit, std::span<const external::OwnMethod> own);
 void add_choose(Command program, Exit& exit);
-void add_check(Command program, Exit& exit);
+void add_check(Command program, Exit& exit, std::span<const external::OwnMethod> own);
 void add_trials(Command program, Exit& exit);
 void add_doctor(Command program, Exit& exit);
 void add_inputs(Command program, Exit& exit);

@@ -12,6 +12,7 @@
 #include "experiments/bundle/folder.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/commands/comparison_text.hpp"
+#include "experiments/cli/commands/gate_options.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/suite/pattern.hpp"
@@ -25,10 +26,10 @@ using compare::Comparison;
 struct CompareOptions {
   std::vector<std::string> bundles;
   std::string format = "text";
-  std::string fail_on;
   std::string out;
   std::string method = "*";
   bool all = false;
+  GateOptions gates{{compare::Gate::any_change}};
 };
 
 /// Leaves the rows of the methods that the glob matches.
@@ -40,6 +41,7 @@ void keep_methods(const std::string& glob, std::vector<Comparison>& comparisons)
   for (auto& one : comparisons) {
     keep(one.results);
     keep(one.times);
+    keep(one.costs);
     keep(one.only_a);
     keep(one.only_b);
     found = found || !one.results.empty() || !one.times.empty();
@@ -55,7 +57,7 @@ std::vector<Comparison> compared(const std::vector<compare::Side>& sides) {
   std::vector<Comparison> comparisons;
   for (std::size_t k = 1; k < sides.size(); ++k) {
     const auto& one = comparisons.emplace_back(compare::compare_sides(sides.front(), sides[k]));
-    if (one.results.empty() && one.times.empty())
+    if (one.results.empty() && one.times.empty() && one.costs.empty())
       throw Failure(
           Exit::usage,
           fmt::format("{}: does not have a row in common with {}; compare bundles of the same studies and seed",
@@ -94,26 +96,6 @@ void write_files(const std::vector<Comparison>& comparisons, const std::filesyst
   bundle::write_file(out / "standings.csv", compare::standings_table(compare::standings(comparisons)).text());
 }
 
-/// Says what differs and, if asked, what is slower; returns the exit code that this means.
-Exit findings_of(const std::vector<Comparison>& comparisons, bool slower_fails) {
-  std::vector<std::string> findings;
-  for (const auto& one : comparisons) {
-    if (const auto differing = one.differing().size(); differing > 0)
-      findings.push_back(fmt::format("{}: accuracy differs from {} in {} of {} rows", one.b->name, one.a->name,
-                                     differing, one.results.size()));
-    const auto count = [&](bool certainly) {
-      return std::ranges::count_if(one.times, [&](const compare::Row& row) {
-        return !row.is_sentinel() && row.ratio.verdict == "slower" && row.is_certainly_slower() == certainly;
-      });
-    };
-    if (slower_fails && count(true) > 0)
-      findings.push_back(
-          fmt::format("{}: {} times are slower than in {}, and {} more are unreliable; see their verdict and quality",
-                      one.b->name, count(true), one.a->name, count(false)));
-  }
-  return say_findings(findings);
-}
-
 Exit run_compare(const CompareOptions& options) {
   if (options.bundles.size() < 2)
     throw Failure(Exit::usage, "compare: takes two bundles or more; name first the one to compare with");
@@ -122,11 +104,16 @@ Exit run_compare(const CompareOptions& options) {
   auto comparisons = compared(sides);
   if (options.method != "*") keep_methods(options.method, comparisons);
   if (!options.out.empty()) write_files(comparisons, options.out);
-  if (options.format == "csv")
+  const auto reports = options.gates.reports(comparisons);
+  if (options.format == markdown_format)
+    fmt::print("{}", markdown(reports));
+  else if (options.format == junit_format)
+    fmt::print("{}", junit(reports));
+  else if (options.format == "csv")
     fmt::print("{}", compare::comparison_table(comparisons).text());
   else
     print_text(comparisons, options.all);
-  return findings_of(comparisons, options.fail_on == "slower");
+  return say_findings(findings_of(reports));
 }
 
 }  // namespace
@@ -135,10 +122,9 @@ void add_compare(Command program, Exit& exit) {
   auto options = std::make_shared<CompareOptions>();
   auto command = program.command("compare", "compare machines, accuracy and times of bundles with the first");
   command.option("BUNDLE", options->bundles, "folders that run wrote; two or more").required().takes(bundle_value);
-  command.option("--format", options->format, "text or csv").one_of({"text", "csv"});
-  command
-      .option("--fail-on", options->fail_on, "slower: exit 1 where a method is, in all repetitions and with quality ok")
-      .one_of({"slower"});
+  command.option("--format", options->format, "csv has every row; markdown and junit have the gates")
+      .one_of({"text", "csv", std::string(markdown_format), std::string(junit_format)});
+  options->gates.add(command);
   command.option("--out", options->out, "folder for the tables that scripts/report --comparison renders")
       .takes(folder_value);
   command.option("--method", options->method, "only methods whose id matches this glob").takes("GLOB", all_methods());

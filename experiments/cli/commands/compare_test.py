@@ -9,9 +9,10 @@ import subprocess
 import sys
 import unittest
 from pathlib import Path
+from xml.etree import ElementTree
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from program_case import FINDING, FINE, INPUT_OUTPUT, PROGRAM, ROOT, STUDY, USAGE, Case, rows  # noqa: E402
+from program_case import ENVIRONMENT, FINDING, FINE, INPUT_OUTPUT, PROGRAM, ROOT, STUDY, USAGE, Case, rows  # noqa: E402
 
 CONTRACT = "kind,study,method,scalar,dimension,degree,mode,a,b,ratio,ratio_low,ratio_high,verdict".split(",")
 BASELINE = ROOT / "results/baseline"
@@ -83,7 +84,8 @@ class Compare(Case):
             self.assertEqual(len(times), len(list(csv.DictReader(text))))
         for row in times:
             self.assertEqual(float(row["ratio"]), 1)
-            self.assertEqual(row["verdict"], verdict(float(row["ratio_low"]), float(row["ratio_high"])))
+            units = {end: float(row[f"normalised_{end}"] or row[f"ratio_{end}"]) for end in ("low", "high")}
+            self.assertEqual(row["verdict"], verdict(min(units["low"], float(row["ratio_low"])), max(units["high"], float(row["ratio_high"]))))
 
     def test_machines_first_then_accuracy_then_times(self):
         path = self.folder / "b/machine.json"
@@ -109,7 +111,7 @@ class Compare(Case):
         self.list_anew("b")
         result = self.run_program("compare", "a", "b")
         self.assertEqual(result.returncode, FINDING)
-        self.assert_one_line(result, "b: accuracy differs from a in 1 of ")
+        self.assert_one_line(result, "b, against a: accuracy differs in 1 of ")
         text = result.stdout.decode()
         for needle in (victim["study"], victim["max_error"], other):
             self.assertIn(needle, text)
@@ -129,26 +131,86 @@ class Compare(Case):
             expected = {"de_casteljau": "slower", "power_sum": "faster"}.get(row["method"])
             if row["kind"] != "timing" or not expected:
                 continue
-            self.assertEqual((row["verdict"], row["normalised_verdict"]), (expected, expected))
+            self.assertEqual(row["verdict"], expected)
             self.assertAlmostEqual(float(row["ratio"]), 1.25 if expected == "slower" else 0.8)
-        result = self.run_program("compare", "a", "b", "--fail-on", "slower")
-        self.assertEqual(result.returncode, FINDING)
-        self.assert_one_line(result, "slower than in a", "unreliable")
 
-    def test_unreliable_times_fail_nothing(self):
-        """Nor do those whose repetitions do not agree: of an interval that reaches into that of the other bundle."""
+    # Gates.
+
+    def gate(self, code, *gates):
+        result = self.run_program("compare", "a", "b", "--fail-on", *gates)
+        self.assertEqual(result.returncode, code, result.stderr)
+        return result.stderr.decode()
+
+    def test_the_gate_of_times(self):
         self.still_times("a")
         self.still_times("b")
         self.scale_times(1.25, lambda row: row["method"] == "de_casteljau")
-        self.edit("timing.csv", lambda row: row.update(quality="ok"), "a")
-        self.edit("timing.csv", lambda row: row.update(quality="noisy"))
-        self.assertEqual(self.run_program("compare", "a", "b", "--fail-on", "slower").returncode, FINE)
-        self.edit("timing.csv", lambda row: row.update(quality="ok"))
-        self.assertEqual(self.run_program("compare", "a", "b", "--fail-on", "slower").returncode, FINDING)
+        count = sum(row["method"] == "de_casteljau" for row in self.table("a", "b") if row["kind"] == "timing")
+        self.assertEqual(self.gate(FINDING, "slower"),
+                         f"bezierbench: b, against a: {count} of 100 times are slower by more than 5 %; see --all\n")
+        self.assertEqual(self.gate(FINE, "slower", "--threshold", "30%"), "")
+        self.assertEqual(self.gate(FINE, "less-accurate"), "")
         self.edit("timing.csv", lambda row: row.update(low_ns=repr(float(row["median_ns"]) / 1.2)))
-        self.edit("timing.csv", lambda row: row.update(high_ns=repr(float(row["median_ns"]) * 1.1)), "a")
-        self.assertIn("slower", {row["verdict"] for row in self.table("a", "b") if row["method"] == "de_casteljau"})
-        self.assertEqual(self.run_program("compare", "a", "b", "--fail-on", "slower").returncode, FINE)
+        self.assertEqual(self.gate(FINE, "slower"), "", "intervals that reach to below the threshold decide nothing")
+
+    def test_a_machine_that_changed_its_speed_fails_nothing(self):
+        self.still_times("a")
+        self.still_times("b")
+        self.edit("timing.csv", lambda row: row.update({column: repr(2 * float(row[column])) for column in TIMES}))
+        self.assertEqual(self.gate(FINE, "slower"), "")
+
+    def test_the_gate_of_errors(self):
+        """A change for the better passes; without --fail-on any changed bit fails."""
+        def scale(factor):
+            self.edit("accuracy.csv", lambda row: row.update(max_error_u=repr(factor * float(row["max_error_u"])))
+                      if row["method"] == "direct" and row["degree"] == "20" and row["max_error_u"] else None)
+        scale(0.5)
+        self.assertEqual(self.gate(FINE, "less-accurate,slower"), "")
+        self.assertEqual(self.run_program("compare", "a", "b").returncode, FINDING)
+        scale(2.08)
+        self.assertEqual(self.gate(FINE, "less-accurate"), "", "4 % more are within the threshold")
+        scale(1.1)
+        self.assertRegex(self.gate(FINDING, "less-accurate"), r"^bezierbench: b, against a: \d+ of \d+ rows are less accurate by more than 5 %; see --all\n$")
+        shutil.copy(BASELINE / "accuracy.csv", self.folder / "b")
+        self.edit("accuracy.csv", lambda row: row.update(bound_violations="3") if row["bound_violations"] == "0" and row["degree"] == "20" else None)
+        self.assertIn("rows are less accurate", self.gate(FINDING, "less-accurate"))
+
+    def test_the_gate_of_counts(self):
+        suite = self.suite(**{"kind": '"timing"', "degree": "[3]", "methods": '["direct", "horner_bernstein"]', "modes": '["point"]',
+                              "trials": None})
+        for name in ("x", "y"):
+            result = self.run_program("run", suite, "--counts", "--no-timing", "--out", name, "--quiet")
+            if result.returncode == ENVIRONMENT:
+                self.skipTest(result.stderr.decode())
+            self.assertEqual(result.returncode, FINE, result.stderr)
+        self.assertEqual((self.folder / "x/cost.csv").read_bytes(), (self.folder / "y/cost.csv").read_bytes())
+        self.assertEqual([row["method"] for row in rows((self.folder / "x/cost.csv").read_text())], ["direct", "horner_bernstein"])
+        self.assertEqual(self.run_program("verify", "x").returncode, FINE)
+        gate = ["compare", "x", "y", "--fail-on", "costlier"]
+        self.assertEqual(self.run_program(*gate).returncode, FINE)
+        self.edit("cost.csv", lambda row: row.update(instructions=repr(1.1 * float(row["instructions"])))
+                  if row["method"] == "direct" else None, "y")
+        result = self.run_program(*gate)
+        self.assertEqual(result.returncode, FINDING)
+        self.assert_one_line(result, "y, against x: 1 of 2 counts of instructions are larger by more than 5 %")
+        self.assertIn("instructions, b over a: 1 of 2 counts differ", result.stdout.decode())
+        self.assertEqual([row["ratio"] for row in self.table("x", "y", "--fail-on", "costlier", code=FINDING) if row["kind"] == "cost"][1], "1")
+
+    def test_reports_for_pull_requests(self):
+        self.still_times("a")
+        self.still_times("b")
+        self.scale_times(1.25, lambda row: row["method"] == "de_casteljau" and row["degree"] == "20")
+        arguments = ["compare", "a", "b", "--fail-on", "slower,less-accurate", "--format"]
+        text = self.run_program(*arguments, "markdown")
+        self.assertEqual(text.returncode, FINDING)
+        self.assertIn("**bezierbench: 1 of 2 gates fail**", text.stdout.decode())
+        self.assertRegex(text.stdout.decode(), r"\n\| slower \| fails \| de_casteljau, .*degree 20.* \| 1\.250 \[1\.250, 1\.250\] \|\n")
+        suites = ElementTree.fromstring(self.run_program(*arguments, "junit").stdout)
+        self.assertEqual([one.get("name") for one in suites], ["b: less-accurate", "b: slower"])
+        for one in suites:
+            self.assertEqual(int(one.get("tests")), len(one))
+            self.assertEqual(int(one.get("failures")), len(one.findall("testcase/failure")))
+        self.assertGreater(int(suites[1].get("failures")), 0)
 
     def test_the_verdict_comes_first(self):
         def first_line(*more, code=FINE):
@@ -260,7 +322,9 @@ class Compare(Case):
     def test_refusals(self):
         self.refused(USAGE, ["compare", "a"], "two bundles")
         self.refused(USAGE, ["compare"], "BUNDLE is required")
-        self.refused(USAGE, ["compare", "a", "b", "--fail-on", "faster"], "--fail-on")
+        self.refused(USAGE, ["compare", "a", "b", "--fail-on", "slowr"], '--fail-on slowr: is not a gate; did you mean "slower"?')
+        self.refused(USAGE, ["compare", "a", "b", "--fail-on", "costlier"], "do not have counts of one compiler in common")
+        self.refused(USAGE, ["compare", "a", "b", "--threshold", "five"], "--threshold five: must be a share from 0 on")
         self.refused(USAGE, ["compare", "a", "b", "--out", "a"], "is a bundle itself")
         self.refused(INPUT_OUTPUT, ["compare", "a", "nowhere"], "nowhere: is not a bundle")
         (self.folder / "b/machine.json").write_text("{")

@@ -118,8 +118,8 @@ std::string accuracy_text(const compare::Comparison& comparison, bool all) {
   return text;
 }
 
-std::string ratio_text(const compare::Ratio& ratio) {
-  return fmt::format("{:.3f} [{:.3f}, {:.3f}]", ratio.value.median, ratio.value.low, ratio.value.high);
+std::string ratio_text(const metric::Interval& ratio) {
+  return fmt::format("{:.3f} [{:.3f}, {:.3f}]", ratio.median, ratio.low, ratio.high);
 }
 
 /// The counts of the verdicts on the times of methods.
@@ -129,7 +129,7 @@ std::string counts_text(const compare::Comparison& comparison) {
   for (const auto& row : comparison.times) {
     if (row.is_sentinel()) continue;
     ++methods;
-    ++counts[row.judged(comparison.same_machine).verdict];
+    ++counts[row.verdict];
   }
   if (methods == 0) return "no times in common";
   return fmt::format("{} slower, {} same, {} faster, {} unresolved of {} times{}", counts["slower"], counts["same"],
@@ -140,34 +140,45 @@ std::string counts_text(const compare::Comparison& comparison) {
 /// The times that are slower or faster, the slowest first, or with `all` every time in the order of a. A narrow
 /// terminal has the last columns below.
 std::string times_text(const compare::Comparison& comparison, bool all) {
-  const auto judged = [&](const compare::Row* row) { return row->judged(comparison.same_machine); };
   std::vector<const compare::Row*> rows;
   for (const auto& row : comparison.times)
-    if (all || (!row.is_sentinel() && (judged(&row).verdict == "slower" || judged(&row).verdict == "faster")))
-      rows.push_back(&row);
+    if (all || (!row.is_sentinel() && (row.verdict == "slower" || row.verdict == "faster"))) rows.push_back(&row);
   if (rows.empty()) return "  none is certainly slower or faster\n";
-  if (!all) std::ranges::stable_sort(rows, {}, [&](const auto* row) { return -judged(row).value.median; });
+  if (!all) std::ranges::stable_sort(rows, {}, [&](const auto* row) { return -row->timed->judged.median; });
   Lines lines{{"method", "b/a", "verdict", "a ns", "b ns", "in sentinels", "rank a b", "quality", "where"}};
   for (const auto* row : rows) {
     const auto& timed = *row->timed;
     const auto& units = timed.normalised;
-    lines.push_back({row->inputs.field("method"), ratio_text(row->ratio), std::string(row->ratio.verdict),
+    lines.push_back({row->inputs.field("method"), ratio_text(row->ratio), std::string(row->verdict),
                      fmt::format("{:.4g}", timed.a.median), fmt::format("{:.4g}", timed.b.median),
-                     units ? fmt::format("{} {}", ratio_text(*units), units->verdict) : "",
+                     units ? ratio_text(*units) : "",
                      timed.rank_a == 0 ? "" : fmt::format("{} {}", timed.rank_a, timed.rank_b),
                      timed.quality == "ok" ? "" : timed.quality, row_words(row->inputs)});
   }
   return table(lines);
 }
 
+/// The counts of instructions that changed, the most costly first, or with `all` every one.
+std::string costs_text(const compare::Comparison& comparison, bool all) {
+  std::vector<const compare::Row*> rows;
+  for (const auto& row : comparison.costs)
+    if (all || row.verdict == compare::different) rows.push_back(&row);
+  std::ranges::stable_sort(rows, std::greater(), [](const auto* row) { return row->ratio.median; });
+  auto text = sentence(fmt::format("instructions, b over a: {} of {} counts differ",
+                                   std::ranges::count(comparison.costs, compare::different, &compare::Row::verdict),
+                                   comparison.costs.size()));
+  Lines lines{{"method", "b/a", "a", "b", "where"}};
+  for (const auto* row : rows)
+    lines.push_back({row->inputs.field("method"), fmt::format("{:.3f}", row->ratio.median), row->a, row->b,
+                     row_words(row->inputs)});
+  return rows.empty() ? text : text + table(lines);
+}
+
 std::string timing_summary(const compare::Comparison& comparison) {
   if (comparison.times.empty()) return "timing: no common rows\n";
-  const auto unreliable = std::ranges::count_if(
-      comparison.times, [](const auto& row) { return !row.is_sentinel() && row.timed->quality != "ok"; });
-  const auto doubt = unreliable > 0 ? fmt::format("; {} unreliable, see quality", unreliable) : "";
-  return sentence("timing, b over a: " + counts_text(comparison) + doubt) +
-         detail(comparison.same_machine ? "the same kind of machine: b/a compares the builds; in sentinels, a change "
-                                          "of the clock frequency cancels"
+  return sentence("timing, b over a: " + counts_text(comparison)) +
+         detail(comparison.same_machine ? "the same kind of machine: a verdict is stated where b/a and the ratio in "
+                                          "sentinels, in which a change of the clock frequency cancels, both decide"
                                         : "b/a compares the machines; in sentinels, the unit of fixed work that is "
                                           "timed beside every race, it compares the methods");
 }
@@ -211,6 +222,7 @@ std::string comparison_text(const compare::Comparison& comparison, bool times, b
               side_line("a", *comparison.a) + side_line("b", *comparison.b) + "\n" + facts_text(comparison, all) +
               "\n" + accuracy_text(comparison, all) + "\n" + singles_text(comparison, all) + timing_summary(comparison);
   if (times && !comparison.times.empty()) text += times_text(comparison, all) + "\n" + ranks_text(comparison);
+  if (!comparison.costs.empty()) text += "\n" + costs_text(comparison, all);
   return text;
 }
 

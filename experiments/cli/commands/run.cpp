@@ -9,12 +9,14 @@
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/commands/kinds.hpp"
 #include "experiments/cli/commands/shard.hpp"
 #include "experiments/cli/external/external_options.hpp"
+#include "experiments/cli/startup/callgrind.hpp"
 #include "experiments/cli/startup/curve_sets.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/suite_options.hpp"
@@ -80,6 +82,22 @@ run::Telling telling_of(const RunOptions& options) {
   return options.progress == "json" ? run::Telling::json : run::Telling::text;
 }
 
+/// Studies that ask for counts get none where Valgrind is missing; one line says so.
+void leave_out_counts_without_valgrind(run::RunRequest& request) {
+  const auto why = why_uncounted();
+  bool is_said = why.empty();
+  for (auto& one : request.suites)
+    for (auto& study : one.studies) {
+      if (study.counts == suite::Counting::none || why.empty()) continue;
+      if (study.counts == suite::Counting::only)
+        throw Failure(Exit::environment, fmt::format("{}: counts instructions only, but {}; install valgrind and build "
+                                                     "again, or leave --counts out",
+                                                     study.id, why));
+      study.counts = suite::Counting::none;
+      if (!std::exchange(is_said, true)) say(fmt::format("no counts: {}; install valgrind and build again", why));
+    }
+}
+
 Exit run(const RunOptions& options, const ExternalOptions& external) {
   const auto methods = external.methods();
   auto request = request_of_this_build(methods);
@@ -98,6 +116,12 @@ Exit run(const RunOptions& options, const ExternalOptions& external) {
   if (options.checkpoint) request.checkpoint = pause(*options.checkpoint);
   request.dry_run = options.dry_run;
   if (options.host_name) request.host_name = bundle::HostName::told;
+  leave_out_counts_without_valgrind(request);
+  request.count_job = counts_by_callgrind;
+  if (const auto job = job_to_count()) {
+    run::count(request, *job);
+    return Exit::fine;
+  }
   const auto outcome = run::run(request);
   const auto exit = say_findings(outcome.findings);
   if (!options.dry_run) tell_ending(outcome, options.out, request.telling);
@@ -149,6 +173,7 @@ void add_run(Command program, Exit& exit, std::span<const external::OwnMethod> o
       .takes("SECONDS");
   command.flag("--dry-run", options->dry_run, "print what would be done, with a rough estimate");
   options->suites.add_no_timing(command);
+  options->suites.add_counts(command);
   command.flag("--host-name", options->host_name, "record the name of the host in machine.json");
   command.flag("--quiet", options->quiet, "print errors only");
   command.option("--progress", options->progress, "progress on standard error: text, or one JSON object per line")

@@ -51,6 +51,15 @@ external::Methods ExternalOptions::methods() const {
   return methods;
 }
 
+std::vector<std::string> ExternalOptions::arguments() const {
+  std::vector<std::string> words;
+  for (const auto& file : plugins_) words.insert(words.end(), {"--plugin", file});
+  for (const auto& command : programs_) words.insert(words.end(), {"--program", command});
+  if (seconds_) words.insert(words.end(), {"--external-seconds", *seconds_});
+  if (megabytes_) words.insert(words.end(), {"--external-memory", *megabytes_});
+  return words;
+}
+
 std::shared_ptr<const external::Method> read_answers(const std::string& file, const std::optional<std::string>& id) {
   const auto text = bundle::read_file(file);
   return external::answers(bundle::parse_csv(text, file), id.value_or(external::answers_id(file)),

@@ -22,6 +22,8 @@ class ExternalOptions {
   void add(Command& command);
   /// Opens every method. Throws Failure(usage) for an invalid one, and where two have the same id.
   [[nodiscard]] external::Methods methods() const;
+  /// The options as they were given, for another call of the program.
+  [[nodiscard]] std::vector<std::string> arguments() const;
 
  private:
   std::vector<external::OwnMethod> own_;

@@ -126,7 +126,12 @@ void SuiteOptions::add_curves(Command& command) {
 }
 
 void SuiteOptions::add_no_timing(Command& command) {
-  command.flag("--no-timing", overrides_.no_timing, "skip timing studies");
+  command.flag("--no-timing", overrides_.no_timing, "skip timing studies, with --counts only their times");
+}
+
+void SuiteOptions::add_counts(Command& command) {
+  command.flag("--counts", overrides_.counts,
+               "count the instructions of the timed methods with Valgrind, into cost.csv");
 }
 
 std::vector<std::filesystem::path> SuiteOptions::files() const {

@@ -46,6 +46,8 @@ class SuiteOptions {
   void add_curves(Command& command);
   /// Adds --no-timing.
   void add_no_timing(Command& command);
+  /// Adds --counts.
+  void add_counts(Command& command);
 
   /// The files of the suites. Throws Failure(usage) where there is none.
   [[nodiscard]] std::vector<std::filesystem::path> files() const;

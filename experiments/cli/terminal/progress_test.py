@@ -160,7 +160,7 @@ class Progress(Case):
         result = self.run_program("run", self.suite({**STUDY, "degree": "[3, 4]"}, SHORT_TIMING), "--out", "b")
         self.assertEqual((result.returncode, result.stdout), (FINE, b""))
         told, following = result.stderr.decode().splitlines()
-        self.assertRegex(told, r"^b: complete in .* s: 3 cells, no bound violated, \d+ of \d+ times noisy \(.* %\)$")
+        self.assertRegex(told, r"^b: complete in .* s: 3 cells, no bound violated, \d+ times, the intervals of their ratios \S+ % wide in the median$")
         self.assertTrue(following.startswith("next: "), following)
         command = following.removeprefix("next: ")
         if "verify" in command:

@@ -38,7 +38,7 @@ struct ExternalLaps {
     bytes(self.times, self.status);
   }
   void merge(const ExternalLaps& other) {
-    if (!other.times.each.empty()) times.merge(other.times);
+    times.merge(other.times);
     status = std::max(status, other.status);
   }
 };
@@ -61,8 +61,8 @@ std::vector<race::Race> races_of(const suite::Study& study, const MethodInfo& me
 class ExternalTimingJob final : private JudgedExternal, public RacingJob<ExternalLaps> {
  public:
   ExternalTimingJob(const suite::Study& study, const suite::ExternalMethod& record, const external::Method* given,
-                    std::uint64_t seed)
-      : JudgedExternal(record, study.form, given), RacingJob(study, seed, races_of(study, info())), late_(parts()) {}
+                    const run::JobContext& context)
+      : JudgedExternal(record, study.form, given), RacingJob(study, context, races_of(study, info())), late_(parts()) {}
 
   [[nodiscard]] run::Extent extent() const override { return {0, parts(), parts() * race::timed_inputs_per_cell}; }
   void write(tables::Tables& tables) const override;
@@ -70,10 +70,10 @@ class ExternalTimingJob final : private JudgedExternal, public RacingJob<Externa
 
  protected:
   [[nodiscard]] ExternalLaps work(std::size_t block) const override;
+  /// Opens the method, so it is to be called in a process that serves it alone.
+  [[nodiscard]] race::JudgedRivals rivals_of(std::size_t part) const override;
 
  private:
-  [[nodiscard]] race::JudgedRivals rivals_in_child(const race::Race& race, const race::Inputs<double>& inputs) const;
-
   mutable std::vector<bool> late_;  ///< races in which a repetition took too long; their other repetitions are skipped
 };
 
@@ -92,9 +92,8 @@ void add_untimed_row(tables::Tables& tables, const suite::Study& study, const ra
 }
 
 void ExternalTimingJob::write(tables::Tables& tables) const {
-  (void)tables.table("timing.csv");
+  if (repetitions() > 0) (void)tables.table("timing.csv");
   const auto cells = raced([this](std::size_t part) -> const race::RaceTimes& { return state(part).times; });
-  const auto fastest = race::fastest_sentinels(cells);
   for (std::size_t part = 0; part < cells.size(); ++part) {
     const auto& race = cells[part];
     const auto status = static_cast<Status>(state(part).status);
@@ -102,13 +101,17 @@ void ExternalTimingJob::write(tables::Tables& tables) const {
     if (status != Status::ok)
       add_untimed_row(tables, study(), race, status);
     else if (!race.times.empty())
-      add_timing_row(tables, study(), race, own, own == 0 ? std::nullopt : std::optional<std::size_t>(0), fastest);
+      add_timing_row(tables, study(), race, own, own == 0 ? std::nullopt : std::optional<std::size_t>(0));
+    if (race.counts.size() > own) add_cost_row(tables, study(), race, own);
   }
 }
 
-race::JudgedRivals ExternalTimingJob::rivals_in_child(const race::Race& race,
-                                                      const race::Inputs<double>& inputs) const {
-  race::JudgedRivals all;
+race::JudgedRivals ExternalTimingJob::rivals_of(std::size_t part) const {
+  const auto& race = races()[part];
+  const auto held =
+      std::make_shared<const race::Inputs<double>>(race::timed_inputs<double>(study(), race.cell, seed()));
+  const auto& inputs = *held;
+  race::JudgedRivals all{{}, {}, held};
   for (const auto* info : race.methods) {
     const auto* kernel = info == &this->info() ? method().open_kernel(race.cell.dimension)
                                                : judge::find_method<double>(info->id, info->form, race.cell.dimension);
@@ -122,14 +125,21 @@ race::JudgedRivals ExternalTimingJob::rivals_in_child(const race::Race& race,
 
 ExternalLaps ExternalTimingJob::work(std::size_t block) const {
   const auto& race = races()[part_of(block)];
+  if (is_count(block)) {
+    try {
+      return {counted(part_of(block)), 0};
+    } catch (const Failure& failure) {
+      report(study(), {Status::crashed, {}, failure.what()});
+      return {};
+    }
+  }
   if (late_[part_of(block)]) return nothing(Status::timed_out);
   const auto work = [&] {
     const int answer = external::keep_output_for_answer();
-    const auto inputs = race::timed_inputs<double>(study(), race.cell, seed());
     ExternalLaps result;
     try {
-      result.times = race::run_rivals(race, study(), rivals_in_child(race, inputs), block % race::repetitions_per_race,
-                                      race::repetition_options());
+      result.times =
+          race::run_rivals(race, study(), rivals_of(part_of(block)), repetition_of(block), race::repetition_options());
     } catch (const external::CurveRefused&) {
       result = nothing(Status::refused);
     } catch (...) {
@@ -166,7 +176,7 @@ ExternalLaps ExternalTimingJob::work(std::size_t block) const {
 
 std::unique_ptr<run::Job> external_timing_job(const suite::Study& study, const suite::ExternalMethod& record,
                                               const external::Method* given, const run::JobContext& context) {
-  return std::make_unique<ExternalTimingJob>(study, record, given, context.seed);
+  return std::make_unique<ExternalTimingJob>(study, record, given, context);
 }
 
 }  // namespace bezierbench::studies

@@ -146,21 +146,6 @@ metric::Interval share(const race::RoundTimes& method, const race::RoundTimes& p
   return interval(shares);
 }
 
-/// The fastest time of each target's peak in any race of a study, in each scalar type: ns per operation.
-using Fastest = std::map<std::pair<const batch::Target*, suite::ScalarKind>, double>;
-
-Fastest fastest_peaks(const std::vector<RooflineRace>& races) {
-  Fastest fastest;
-  for (const auto& race : races)
-    for (std::size_t k = 0; k < race.times.size(); ++k) {
-      if (race.rivals[k].work != Work::multiply_add) continue;
-      const double ns = median_ns(race.times[k]);
-      const auto [place, is_first] = fastest.try_emplace({race.rivals[k].target, race.scalar}, ns);
-      if (!is_first) place->second = std::min(place->second, ns);
-    }
-  return fastest;
-}
-
 tables::Row key_row(const suite::Study& study, const RooflineRace& race, const TargetRival& who) {
   tables::Row row("roofline.csv");
   row.set("study", study.id)
@@ -174,7 +159,7 @@ tables::Row key_row(const suite::Study& study, const RooflineRace& race, const T
   return row;
 }
 
-tables::Row row_of(const suite::Study& study, const RooflineRace& race, std::size_t place, const Fastest& fastest) {
+tables::Row row_of(const suite::Study& study, const RooflineRace& race, std::size_t place) {
   const auto& who = race.rivals[place];
   const auto& lap = race.times[place];
   const auto& peak_lap = peak_times(race, Work::multiply_add, who.target);
@@ -182,7 +167,6 @@ tables::Row row_of(const suite::Study& study, const RooflineRace& race, std::siz
   const double flops = point_operations(*who.evaluator, race.cell.degree, race.cell.dimension, Layout::points)->flops();
   const auto used = share(lap, peak_lap, flops);
   const auto goal = goal_share(study.goals, race, who);
-  const bool steady = median_ns(peak_lap) <= (1 + metric::tolerated_drift) * fastest.at({who.target, race.scalar});
   tables::Row row = key_row(study, race, who);
   row.set("median_ns", ns.median)
       .set("low_ns", ns.low)
@@ -195,7 +179,6 @@ tables::Row row_of(const suite::Study& study, const RooflineRace& race, std::siz
       .set("share_low", used.low)
       .set("share_high", used.high)
       .set("goal_share", goal)
-      .set("quality", steady ? "ok" : "noisy")
       .set("rounds", lap.ns_per_point.size())
       .set("checked", lap.checked ? "yes" : "no");
   if (goal) row.set("goal_met", used.median >= *goal ? "yes" : "no");
@@ -212,10 +195,9 @@ void list_roofline_rows(const suite::Study& study, const std::vector<RooflineRac
 
 void write_roofline_rows(const suite::Study& study, const std::vector<RooflineRace>& races, tables::Tables& tables) {
   (void)tables.table("roofline.csv");
-  const auto fastest = fastest_peaks(races);
   for (const auto& race : races)
     for (std::size_t k = 0; k < race.times.size(); ++k)
-      if (race.rivals[k].method != nullptr) tables.add(row_of(study, race, k, fastest));
+      if (race.rivals[k].method != nullptr) tables.add(row_of(study, race, k));
 }
 
 namespace {

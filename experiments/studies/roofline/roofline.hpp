@@ -50,8 +50,7 @@ RooflineTimes run(const RooflineRace& race, const suite::Study& study, std::uint
 
 /// A row per method, target, scalar type and cell; races that did not run have none. Shares are taken within rounds,
 /// where method and peak met the same conditions. `goal_share` is the goal of the row, if it has one, and `goal_met` is
-/// `yes` or `no`. `quality` is `noisy` where the peak of a race was more than 2 % slower than in the quickest of the
-/// study: other processes disturbed the race.
+/// `yes` or `no`.
 void write_roofline_rows(const suite::Study& study, const std::vector<RooflineRace>& races, tables::Tables& tables);
 
 /// The keys of the same rows, of races before they run, on this processor.

@@ -134,20 +134,6 @@ TEST_F(Roofline, AdditionsMustRunBesideForAGoalAboveThePeak) {
   EXPECT_THAT(values(table, "de_casteljau_lerp_fma", "goal_share"), testing::ElementsAre(""));
 }
 
-TEST_F(Roofline, ARaceWithASlowerPeakIsNoisy) {
-  auto study = roofline_study();
-  study.degree = {10, 20};
-  auto races = roofline_races_of(study);
-  for (auto& race : races)
-    for (const auto& who : race.rivals)
-      race.times.push_back(round_times(all_alike(who) * (race.cell.degree == 20 ? 1.03 : 1)));
-  tables::Tables tables;
-  write_roofline_rows(study, races, tables);
-  const auto table = bundle::parse_csv(tables.all().at("roofline.csv").text(), "roofline.csv");
-  for (std::size_t row = 0; row < table.row_count(); ++row)
-    EXPECT_EQ(table.at(row, "quality"), table.at(row, "degree") == "20" ? "noisy" : "ok");
-}
-
 TEST_F(Roofline, AsksNothingInFloat) {
   auto study = roofline_study();
   study.scalar = {suite::ScalarKind::float32};

@@ -221,40 +221,40 @@ TEST(TimingRows, CountsAreMediansOrEmpty) {
   EXPECT_THAT(column(csv, "instructions"), ElementsAre("8", "", ""));
 }
 
-TEST(TimingRows, SayWhatTheSentinelSaw) {
+TEST(TimingRows, SayWhetherATimeMayBeCompared) {
   const auto study = timing_study();
   auto races = made_up_races(study);
-  make_up(races[1], 1.019);  // within what is tolerated
-  make_up(races[2], 1.021);  // steady, but slower than the others
-  auto& chain = races[3].times.back().repetitions;
-  chain[9] = repetition_of(5);  // one disturbed repetition is what medians are for
+  races[1].times[0] = rival_times(9, 7);
+  races[2].times[1].repetitions[3].checked = false;
   const auto csv = timing_csv(study, races);
-  EXPECT_THAT(column(csv, "quality"), ElementsAre("ok", "ok", "ok", "ok", "noisy", "noisy", "ok", "ok", "noisy"));
-  for (std::size_t repetition = 3; repetition < 12; ++repetition) chain[repetition] = repetition_of(1.03);
-  EXPECT_EQ(timing_csv(study, races).at(6, "quality"), "noisy") << "slower in most repetitions";
+  EXPECT_THAT(column(csv, "quality"), ElementsAre("ok", "ok", "few_rounds", "ok", "ok", "unchecked", "ok", "ok", "ok"));
+  EXPECT_EQ(csv.at(5, "checked"), "no");
 }
 
-// Another thread on the same core slows the sweep down, but hardly the chain.
-TEST(TimingRows, TheSecondSentinelSeesWhatTheFirstDoesNot) {
-  const auto study = timing_study();
-  auto races = made_up_races(study);
-  make_up(races[1], 1, 0.5 * 1.021);
-  const auto csv = timing_csv(study, races);
-  EXPECT_THAT(column(csv, "quality"), ElementsAre("ok", "ok", "noisy", "noisy", "ok", "ok", "ok", "ok", "noisy"));
-}
-
-// Neither sentinel was slower, but three repetitions of one method were.
-TEST(TimingRows, RepetitionsThatDisagreeAreNoisy) {
+/// What one machine can do at two speeds: repetitions that disagree widen the interval, also that of the ratio.
+TEST(TimingRows, RepetitionsThatDisagreeWidenTheInterval) {
   const auto study = timing_study();
   auto races = made_up_races(study);
   auto& repetitions = races[0].times[0].repetitions;
   for (const std::size_t disturbed : {2U, 5U}) repetitions[disturbed] = repetition_of(9 * 1.7);
-  EXPECT_EQ(timing_csv(study, races).at(0, "quality"), "ok") << "fewer than a quarter";
-  for (const std::size_t disturbed : {8U, 9U}) repetitions[disturbed] = repetition_of(9 * 1.7);
-  EXPECT_EQ(timing_csv(study, races).at(0, "quality"), "noisy");
-  EXPECT_EQ(timing_csv(study, races).at(1, "quality"), "ok") << "the other method";
-  for (auto& repetition : repetitions) repetition = repetition_of(9 * 1.7);
-  EXPECT_EQ(timing_csv(study, races).at(0, "quality"), "ok") << "they agree";
+  EXPECT_EQ(timing_csv(study, races).at(0, "ratio_high"), "2.55") << "two of twelve";
+  for (const std::size_t disturbed : {2U}) repetitions[disturbed] = repetition_of(9);
+  EXPECT_EQ(timing_csv(study, races).at(0, "ratio_high"), "1.5") << "one";
+}
+
+/// Counts come without times, as they do in a study that only counts.
+TEST(CostRows, AreOfTheCountedRaces) {
+  const auto study = timing_study();
+  auto races = timed_problem(study).races(study);
+  races[1].counts = {{.instructions = 40, .loads = 12, .stores = 2, .branches = 1, .target = ""},
+                     {.instructions = 20.5, .loads = 8, .stores = 2, .branches = 1, .target = "AVX2"}};
+  tables::Tables tables;
+  write_cost_rows(study, races, tables);
+  const auto csv = bundle::parse_csv(tables.all().at("cost.csv").text(), "cost.csv");
+  EXPECT_THAT(column(csv, "degree"), ElementsAre("5", "5"));
+  EXPECT_THAT(column(csv, "method"), ElementsAre("de_casteljau", "horner_bernstein"));
+  EXPECT_THAT(column(csv, "instructions"), ElementsAre("40", "20.5"));
+  EXPECT_THAT(column(csv, "target"), ElementsAre("", "AVX2"));
 }
 
 TEST(RaceTimes, RepetitionsCanComeInAnyOrder) {

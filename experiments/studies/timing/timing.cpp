@@ -24,8 +24,8 @@ constexpr int max_reruns_per_repetition = 2;
 
 class TimingJob final : public RacingJob<race::RaceTimes> {
  public:
-  TimingJob(const suite::Study& study, std::uint64_t seed)
-      : RacingJob(study, seed, timed_problem(study).races(study)), reruns_left_(blocks() / 2), trials_(parts()) {
+  TimingJob(const suite::Study& study, const run::JobContext& context)
+      : RacingJob(study, context, timed_problem(study).races(study)), reruns_left_(blocks() / 2), trials_(parts()) {
     require_racing_baseline();
   }
 
@@ -36,14 +36,24 @@ class TimingJob final : public RacingJob<race::RaceTimes> {
     return sum;
   }
   void write(tables::Tables& tables) const override {
-    write_timing_rows(study(), raced(), tables);
-    write_complexity_rows(study(), raced(), timed_problem(study()).size, tables);
+    const auto races = raced();
+    if (repetitions() > 0) {
+      write_timing_rows(study(), races, tables);
+      write_complexity_rows(study(), races, timed_problem(study()).size, tables);
+    }
+    if (counts()) write_cost_rows(study(), races, tables);
   }
-  void list_rows(tables::Tables& tables) const override { list_timing_rows(study(), races(), tables); }
+  void list_rows(tables::Tables& tables) const override {
+    if (repetitions() > 0) list_timing_rows(study(), races(), tables);
+    if (counts()) list_cost_rows(study(), races(), tables);
+  }
   [[nodiscard]] std::vector<tables::Series> series() const override;
 
  protected:
   [[nodiscard]] race::RaceTimes work(std::size_t block) const override;
+  [[nodiscard]] race::JudgedRivals rivals_of(std::size_t part) const override {
+    return timed_problem(study()).rivals(races()[part], study(), seed(), trials_[part]);
+  }
 
  private:
   /// The races with their times so far.
@@ -62,7 +72,7 @@ class TimingJob final : public RacingJob<race::RaceTimes> {
   // Repetitions run one at a time, so these need no lock.
   mutable std::size_t reruns_left_;      ///< of the study, reruns add at most half of its repetitions
   mutable race::SentinelTimes fastest_;  ///< sentinels of the study so far
-  mutable std::vector<std::shared_ptr<const void>> trials_;  ///< of each race, see race::run_repetition
+  mutable std::vector<std::shared_ptr<const void>> trials_;  ///< of each race, see race::TimedProblem
   race::Counters counters_;
 };
 
@@ -83,13 +93,13 @@ void TimingJob::require_racing_baseline() const {
 race::RaceTimes TimingJob::work(std::size_t block) const {
   const race::Race& race = races()[part_of(block)];
   if (race.methods.empty()) return {};  // no method supports the degree
+  if (is_count(block)) return counted(part_of(block));
   fastest_ = min(fastest_, fastest_so_far());
   const auto run_once = [&] {
     auto options = race::repetition_options();
     options.stop = run::interrupted;
     options.counters = &counters_;
-    return race::run_repetition(timed_problem(study()), race, study(), seed(), block % race::repetitions_per_race,
-                                options, trials_[part_of(block)]);
+    return race::run_rivals(race, study(), rivals_of(part_of(block)), repetition_of(block), options);
   };
   race::RaceTimes times = run_once();
   for (int rerun = 0; rerun < max_reruns_per_repetition && reruns_left_ > 0; ++rerun) {
@@ -107,6 +117,7 @@ race::RaceTimes TimingJob::work(std::size_t block) const {
 /// Races in double only; the source report prints no scalar type.
 std::vector<tables::Series> TimingJob::series() const {
   std::vector<tables::Series> all;
+  if (repetitions() == 0) return all;
   const auto races = raced();
   for (const auto& race : races)
     for (std::size_t m = 0; m < race.methods.size() && race.scalar == suite::ScalarKind::float64; ++m)
@@ -125,7 +136,7 @@ std::vector<tables::Series> TimingJob::series() const {
 }
 
 std::unique_ptr<run::Job> timing_job(const suite::Study& study, const run::JobContext& context) {
-  return std::make_unique<TimingJob>(study, context.seed);
+  return std::make_unique<TimingJob>(study, context);
 }
 
 constexpr std::array timing_fields{
@@ -140,6 +151,14 @@ constexpr std::array timing_fields{
     suite::field<&suite::Study::tolerance>(suite::optional(
         suite::tolerance_key("tolerances, relative to the length for lengths, distances for fits", "[1e-3, 1e-6]"),
         "none; only methods of lengths and fitting have it")),
+    suite::field<&suite::Study::counts>(
+        {.key = "counts",
+         .meaning =
+             "whether the instructions, loads, stores and branches of a point are counted, which takes Valgrind: "
+             "none, beside_times, or only",
+         .example = "\"beside_times\"",
+         .left_out = "none",
+         .settable = false}),
     suite::field<&suite::Study::published>(suite::published_key)};
 
 suite::Finding check_timing(const suite::Study& study, const suite::Vocabulary& known) {
@@ -164,6 +183,6 @@ extern constexpr StudyKind timing_kind{.asks = {.id = "timing",
                                                 .has_baseline = true,
                                                 .check = check_timing},
                                        .make = timing_job,
-                                       .tables = {"timing"}};
+                                       .tables = {"timing|cost"}};
 
 }  // namespace bezierbench::studies

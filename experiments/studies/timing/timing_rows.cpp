@@ -19,11 +19,11 @@ namespace bezierbench::studies {
 
 namespace {
 
-constexpr std::string_view ok = "ok";
-constexpr std::string_view noisy = "noisy";
-
-std::string_view quality(const race::Race& race, const race::RivalTimes& times, const race::SentinelTimes& fastest) {
-  return race::drifted(race.times, fastest) || race::repetitions_disagree(times) ? noisy : ok;
+/// What keeps a time from being compared. A machine that changed its speed is not among it: ratios are taken within
+/// rounds, and repetitions that disagree widen the intervals.
+std::string_view quality(std::size_t repetitions, bool checked) {
+  if (!checked) return "unchecked";
+  return metric::covers_median(repetitions, metric::timing_confidence) ? "ok" : "few_rounds";
 }
 
 /// Median and interval of a sample, in NAME of `names`.
@@ -74,8 +74,8 @@ void set_limit(tables::Row& row, const race::Race& race, std::size_t m, const ra
       .set("chain_ns", limit->chain_ns);
 }
 
-tables::Row key_row(const suite::Study& study, const race::Race& race, std::size_t method) {
-  tables::Row row("timing.csv");
+tables::Row key_row(std::string_view file, const suite::Study& study, const race::Race& race, std::size_t method) {
+  tables::Row row(file);
   row.set("study", study.id)
       .set("form", name(study.form))
       .set("mode", suite::name(race.mode))
@@ -105,42 +105,37 @@ void set_times(tables::Row& row, const race::RivalTimes& times, const race::Sent
   row.set("rounds", rounds.ns_per_point.size()).set("points_per_round", rounds.points_per_round);
   set_median(row, "cycles", rounds.cycles_per_point);
   set_median(row, "instructions", rounds.instructions_per_point);
-  row.set("checked", rounds.checked ? "yes" : "no")
+  row.set("quality", quality(times.repetitions.size(), rounds.checked))
+      .set("checked", rounds.checked ? "yes" : "no")
       .set("repetitions", times.repetitions.size())
       .set("sentinel_ns", sentinels.chain_ns)
       .set("sweep_ns", sentinels.sweep_ns);
 }
 
-void add_race(tables::Tables& tables, const suite::Study& study, const race::Race& race,
-              const race::SentinelTimes& fastest) {
+void add_race(tables::Tables& tables, const suite::Study& study, const race::Race& race) {
   const auto base = race::relative_to(race, study);
-  for (std::size_t m = 0; m < race.methods.size(); ++m) add_timing_row(tables, study, race, m, base, fastest);
+  for (std::size_t m = 0; m < race.methods.size(); ++m) add_timing_row(tables, study, race, m, base);
 }
 
 /// The sentinel over all races of a mode.
 void add_sentinel(tables::Tables& tables, const suite::Study& study, const std::vector<race::Race>& races,
-                  suite::Mode mode, const race::SentinelTimes& fastest) {
+                  suite::Mode mode) {
   race::RaceTimes all;
-  std::string_view worst = ok;
-  for (const auto& race : races) {
-    if (race.mode != mode || race.times.empty()) continue;
-    all.merge({{race.times.end() - 2, race.times.end()}});
-    if (race::drifted(race.times, fastest)) worst = noisy;
-  }
+  for (const auto& race : races)
+    if (race.mode == mode && !race.times.empty()) all.merge({{race.times.end() - 2, race.times.end()}});
   if (all.each.empty()) return;
   tables::Row row = sentinel_key_row(study, mode);
   set_times(row, all.each.back(), race::median_sentinels(all.each));
-  tables.add(row.set("quality", worst));
+  tables.add(row);
 }
 
 }  // namespace
 
 void add_timing_row(tables::Tables& tables, const suite::Study& study, const race::Race& race, std::size_t method,
-                    std::optional<std::size_t> base, const race::SentinelTimes& fastest) {
+                    std::optional<std::size_t> base) {
   const auto& times = race.times[method];
-  tables::Row row = key_row(study, race, method);
+  tables::Row row = key_row("timing.csv", study, race, method);
   set_times(row, times, race::median_sentinels(race.times));
-  row.set("quality", quality(race, times, fastest));
   if (base) set_ratio(row, race, times, *base);
   set_interval(row, {"sentinel_units", "sentinel_units_low", "sentinel_units_high"},
                quotients(times.repetition_ns(), race.times.back().repetition_ns()));
@@ -151,7 +146,7 @@ void add_timing_row(tables::Tables& tables, const suite::Study& study, const rac
 
 void list_timing_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables) {
   for (const auto& race : races)
-    for (std::size_t m = 0; m < race.methods.size(); ++m) tables.add(key_row(study, race, m));
+    for (std::size_t m = 0; m < race.methods.size(); ++m) tables.add(key_row("timing.csv", study, race, m));
   for (const auto mode : study.modes)
     if (std::ranges::any_of(races, [mode](const auto& one) { return one.mode == mode && !one.methods.empty(); }))
       tables.add(sentinel_key_row(study, mode));
@@ -159,10 +154,31 @@ void list_timing_rows(const suite::Study& study, const std::vector<race::Race>& 
 
 void write_timing_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables) {
   (void)tables.table("timing.csv");
-  const race::SentinelTimes fastest = race::fastest_sentinels(races);
   for (const auto& race : races)
-    if (!race.times.empty()) add_race(tables, study, race, fastest);
-  for (const auto mode : study.modes) add_sentinel(tables, study, races, mode, fastest);
+    if (!race.times.empty()) add_race(tables, study, race);
+  for (const auto mode : study.modes) add_sentinel(tables, study, races, mode);
+}
+
+void add_cost_row(tables::Tables& tables, const suite::Study& study, const race::Race& race, std::size_t method) {
+  const auto& counts = race.counts[method];
+  auto row = key_row("cost.csv", study, race, method);
+  if (!counts.target.empty()) row.set("target", counts.target);
+  row.set("instructions", counts.instructions)
+      .set("loads", counts.loads)
+      .set("stores", counts.stores)
+      .set("branches", counts.branches);
+  tables.add(row);
+}
+
+void write_cost_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables) {
+  (void)tables.table("cost.csv");
+  for (const auto& race : races)
+    for (std::size_t m = 0; m < race.counts.size(); ++m) add_cost_row(tables, study, race, m);
+}
+
+void list_cost_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables) {
+  for (const auto& race : races)
+    for (std::size_t m = 0; m < race.methods.size(); ++m) tables.add(key_row("cost.csv", study, race, m));
 }
 
 namespace {

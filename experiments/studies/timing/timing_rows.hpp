@@ -14,10 +14,10 @@ namespace bezierbench::studies {
 /// Races without repetitions have no rows. Times are medians over repetitions, also in units of the sentinel of the
 /// same repetition (`sentinel_units`), with their intervals; so are ratios, each the median over the rounds of a
 /// repetition. Of evaluators `limit_ns` is the least time that this processor could take, and `share_of_limit` the part
-/// that it is of the time without that of an empty kernel, `call_ns`. `quality` is `noisy` where a sentinel drifted or
-/// the repetitions disagree, else `ok`. `sentinel_ns` and `sweep_ns` are the times of the two sentinels. The sentinel's
-/// row is over all races of its mode, so it has no dimension or degree, and is `noisy` where it drifted in any of
-/// them.
+/// that it is of the time without that of an empty kernel, `call_ns`. `quality` is `unchecked` where a timed result was
+/// not the judged one, `few_rounds` where there are too few repetitions for an interval, else `ok`. `sentinel_ns` and
+/// `sweep_ns` are the times of the two sentinels. The sentinel's row is over all races of its mode, so it has no
+/// dimension or degree.
 void write_timing_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables);
 
 /// The keys of the same rows, of races before they run.
@@ -25,7 +25,17 @@ void list_timing_rows(const suite::Study& study, const std::vector<race::Race>& 
 
 /// The row of the method at place `method` of a race that ran. Its ratio is to the method at place `base`.
 void add_timing_row(tables::Tables& tables, const suite::Study& study, const race::Race& race, std::size_t method,
-                    std::optional<std::size_t> base, const race::SentinelTimes& fastest);
+                    std::optional<std::size_t> base);
+
+// cost.csv: what the processor does for a point, as Callgrind counts it; a row per method of every race that was counted.
+
+void write_cost_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables);
+
+/// The row of the method at place `method` of a race that was counted.
+void add_cost_row(tables::Tables& tables, const suite::Study& study, const race::Race& race, std::size_t method);
+
+/// The keys of the same rows, of races before they are counted, without the target, which depends on the processor.
+void list_cost_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables);
 
 // complexity.csv: the growth of a study's times with the degree or the number of points, against the claims of its
 // methods.

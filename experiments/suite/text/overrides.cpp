@@ -95,11 +95,13 @@ void keep_chosen(const Overrides& overrides, std::vector<Suite>& suites) {
   std::vector<std::string> ids;
   bool found = false;
   for (Suite& suite : suites) {
-    std::erase_if(suite.studies, [&](const Study& study) {
+    std::erase_if(suite.studies, [&](Study& study) {
       ids.push_back(study.id);
       const bool chosen = !overrides.only || matches(*overrides.only, study.id);
       found = found || chosen;
-      return !chosen || (overrides.no_timing && kind_of(study).timed);
+      const bool can_count = overrides.counts && find_field(kind_of(study), "counts") != nullptr;
+      if (can_count) study.counts = overrides.no_timing ? Counting::only : Counting::beside_times;
+      return !chosen || (overrides.no_timing && !can_count && kind_of(study).timed);
     });
   }
   if (!found) {

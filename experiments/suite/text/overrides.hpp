@@ -19,9 +19,10 @@ struct Overrides {
   std::optional<std::string> only;     ///< a glob over study ids; empty: all studies
   std::string only_option = "--only";  ///< the name of the option that set `only`, for messages
   bool no_timing = false;
+  bool counts = false;  ///< timing studies count instructions, with no_timing only that
 };
 
-/// Applies `overrides`: drops the studies that `only` and `no_timing` leave out, and suites that are then empty. Then
+/// Applies `overrides`: drops the studies that `only` leaves out and those of times that `no_timing` does, and suites that are then empty. Then
 /// sets seed, trials and keys in every study that remains; a key that one of them does not have is refused. The result
 /// passes the same checks as a suite file. Throws Failure(Exit::usage) with `--set degree=x: what; what to do`; the
 /// suites are then unchanged.

@@ -70,7 +70,7 @@ function fillTable(cell, methods) {
   for (const body of [...table.tBodies]) body.remove();
   table.append(...methods.map((one) => make("tbody", { class: "one", "data-key": one.method, hidden: !seen(one.method) },
     make("tr", {}, make("th", { class: "group", scope: "row" }, make("code", {}, one.method)),
-      ...(timed ? [td(`${general(one.ns)} [${general(one.low)} – ${general(one.high)}]${one.noisy ? " ~" : ""}`, one.ns)] : []),
+      ...(timed ? [td(`${general(one.ns)} [${general(one.low)} – ${general(one.high)}]`, one.ns)] : []),
       td(general(one.error_u) + lost(one.error_u), one.error_u), td(general(one.bound_u), one.bound_u),
       ...(timed ? [td(WORTH.get(one.front) ?? "", one.front, one.front === "yes" && !lost(one.error_u) ? "inside" : "")] : [])))));
   const caption = table.querySelector("caption strong");

@@ -47,6 +47,8 @@ addEventListener("hashchange", () => {
     place = location.hash.slice(1);
     const query = new URLSearchParams([...state]).toString();
     if (query) history.replaceState(null, "", `#${place}?${query}`);
+    // Sections between here and there get their height only when they are first drawn, which moves the place.
+    setTimeout(() => document.getElementById(decodeURIComponent(place))?.scrollIntoView(), 100);
   } else {
     location.reload();
   }
