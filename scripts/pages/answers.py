@@ -2,8 +2,9 @@
 """Which method for which need: the table at the top of README.md, decided by the rows of results/real and results/answers.
 
 A method is a candidate for a need where its bundle has its errors and its times at every degree of the need. What the need demands
-is a predicate over its rows; of the candidates that meet it at every degree, the fastest has the smallest product of times. Those whose
-intervals overlap with its own at every degree are tied with it, and the winner is the one among them with the smallest proved bound.
+is a predicate over its rows; of the candidates that meet it at every degree, the fastest has the smallest product of times. Times are ratios to those of one method, taken side by
+side. Those whose intervals overlap with its own at every degree are tied with it, and the winner is the one among them with the smallest
+proved bound.
 """
 import math
 import textwrap
@@ -20,7 +21,6 @@ from scripts.pages.markdown import WIDTH, table
 DEGREES = (2, 3, 5, 12, 30)  # of those the bundle has rows of
 MISROUNDED = 0.05  # a share of coordinates that a fast method may misround on real curves
 AXES = 2  # of the curves of the table
-NOISY = "~"
 MICROSECOND = 1000  # in nanoseconds
 
 
@@ -146,6 +146,7 @@ class Found:
     method: str
     errors: dict  # {degree: rows}
     times: dict  # {degree: row}
+    counts: dict  # {degree: row of cost.csv}, where they were counted
     tied: tuple  # the other methods that are as fast, as far as the times tell
 
 
@@ -154,8 +155,9 @@ def product(rows, column):
 
 
 def overlap(one, other):
-    """Whether the intervals of two times have a value in common."""
-    return number(one, "low_ns") <= number(other, "high_ns") and number(other, "low_ns") <= number(one, "high_ns")
+    """Whether the intervals of two times have a value in common, as ratios to the same method where they have one."""
+    low, high = ("ratio_low", "ratio_high") if one["ratio"] and one["relative_to"] == other["relative_to"] else ("low_ns", "high_ns")
+    return number(one, low) <= number(other, high) and number(other, low) <= number(one, high)
 
 
 def winner(bundle, need):
@@ -164,16 +166,20 @@ def winner(bundle, need):
     meeting = [method for method in errors if at and method in times and all(need.meets(row) for degree in at for row in errors[method][degree])]
     if not meeting:
         return None
-    by_time = sorted(meeting, key=lambda method: product((times[method][degree] for degree in at), "median_ns"))
+    by_time = sorted(meeting, key=lambda method: product((times[method][degree] for degree in at), "ratio"))
     tied = [method for method in by_time if all(overlap(times[method][degree], times[by_time[0]][degree]) for degree in at)]
     best = min(tied, key=lambda method: product((row for degree in at for row in errors[method][degree]), "bound_u"))
-    return Found(best, errors[best], times[best], tuple(method for method in tied if method != best))
+    counted = bundle["cost.csv"].select(study=need.times, mode=need.mode, scalar=need.scalar, method=best) if "cost.csv" in bundle else ()
+    return Found(best, errors[best], times[best], {row["degree"]: row for row in counted}, tuple(method for method in tied if method != best))
 
 
-def time_text(row):
+def time_text(row, counted):
+    """`0.34 to 0.36; 46 instructions, about 2.9 ns`: the interval of the ratio first."""
+    low, high = (general(number(row, column), 2) for column in ("ratio_low", "ratio_high"))
     nanoseconds = number(row, "median_ns")
-    text = f"{general(nanoseconds, 2)} ns" if nanoseconds < MICROSECOND else f"{general(nanoseconds / MICROSECOND, 2)} µs"
-    return text if row["quality"] == "ok" else f"{text} {NOISY}"
+    about = f"{general(nanoseconds, 2)} ns" if nanoseconds < MICROSECOND else f"{general(nanoseconds / MICROSECOND, 2)} µs"
+    ratio = "1" if row["relative_to"] == row["method"] else low if low == high else f"{low} to {high}"
+    return f"{ratio} ×<br>" + (f"{large(round(number(counted, 'instructions')))} instructions, " if counted else "") + f"about {about}"
 
 
 def demand(bundle, need):
@@ -202,8 +208,9 @@ def units():
             f"coordinate in d dimensions, √{AXES} times in the plane: \"{SMALL} u\" is an error of at most "
             f"{scientific(SMALL * math.sqrt(AXES) * ROUNDOFF['double'], 2)} times that coordinate. ulp: last digits of the exact value. "
             "Lengths: relative; nearest points: eps is 2^-52 times the largest coordinate. "
-            f"{NOISY} marks a time of a noisy race. Times are per prepared point (conversions are done beforehand), of lengths and nearest "
-            "points for one answer from the control points. Methods in parentheses are as fast, as far as the intervals of the times tell.")
+            "×: the time over that of the third column's method, side by side, as its 99 % interval; instructions: counted by Valgrind, the same on "
+            "every run; ns: about, on the bundle's machine. All are per prepared point, of lengths and nearest points for one answer from the "
+            "control points. Methods in parentheses are as fast, as far as the intervals tell.")
 
 
 def trials_on_sets(real):
@@ -222,17 +229,19 @@ def line(bundle, need, columns):
     found, at = winner(bundle, need), degrees(bundle, need)
     what = f"**{need.name}**: {demand(bundle, need)}"
     if found is None:
-        return [what, "none", *("" for _ in columns)]
+        return [what, "none", "", *("" for _ in columns)]
     shown = {degree: [row for row in found.errors[degree] if row["study"] == need.studies[0]] for degree in at}
     tied = f" ({listing(f'`{method}`' for method in found.tied)})" if found.tied else ""
-    return [what, f"`{found.method}`{tied}",
-            *(f"{need.error(shown[degree])}, {time_text(found.times[degree])}" if degree in at else "" for degree in columns)]
+    relative = listing(f"`{method}`" for method in dict.fromkeys(row["relative_to"] for row in found.times.values()))
+    return [what, f"`{found.method}`{tied}", relative,
+            *(f"{need.error(shown[degree])}<br>{time_text(found.times[degree], found.counts.get(degree))}" if degree in at else ""
+              for degree in columns)]
 
 
 def answers(bundle, real=None):
     """The table, and what its numbers are: real curves first, where there is a bundle of them."""
     asked = [(real, need) for need in REAL if real] + [(bundle, need) for need in NEEDS]
     columns = sorted({degree for one, need in asked for degree in degrees(one, need)})
-    head = ["need", "method", *(f"n = {shortest(degree)}" for degree in columns)]
+    head = ["need", "method", "× of", *(f"n = {shortest(degree)}" for degree in columns)]
     said = [*([trials_on_sets(real)] if real else []), trials(bundle), units()]
     return "\n\n".join([table(head, [line(one, need, columns) for one, need in asked]), *(textwrap.fill(text, WIDTH) for text in said)])

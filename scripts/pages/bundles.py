@@ -82,8 +82,8 @@ def timings(bundle):
         return "none"
     header, rows = files.table(path, files.content(path))
     found = [row[header.index("quality")] for _, row in rows]
-    noisy = sum(quality != "ok" for quality in found)
-    return f"{len(found)}, {noisy} of them noisy" if noisy else str(len(found))
+    doubtful = sum(quality != "ok" for quality in found)
+    return f"{len(found)}, {doubtful} of them not to be compared" if doubtful else str(len(found))
 
 
 def agreement(bundle):
@@ -124,19 +124,17 @@ def comparison(_page, program):
     times = [row for row in found.rows.rows if row["kind"] == "timing" and row["degree"] is not None]
     places = {Path(row["bundle"]).name: f"{row['compiler']} on {row['cpu']}" for row in found.standings.rows}
     one_machine = all(row["machine"] == "same" for row in found.standings.rows)
-    ratio, verdict = ("ratio", "verdict") if one_machine else ("normalised", "normalised_verdict")
+    ratio = "ratio" if one_machine else "normalised"
     unit = "" if one_machine else ", each in units of the sentinel of its own machine"
-    found_of = Counter(row[verdict] for row in times)
-    noisy = sum(row["quality"] != "ok" for row in times)
+    found_of = Counter(row["verdict"] for row in times)
     words = (f"a is {places[BASELINE.name]}, b is {places[OTHER_BUILD.name]}. Accuracy: identical, bit for bit, in all "
              f"{len(judged)} common rows. Time of b over time of a{unit}: "
              + ", ".join(f"{word} in {found_of[word]}" for word in ("faster", "slower", "same", "unresolved"))
-             + f" of {len(times)}, {noisy} of them from noisy races, marked ~. By degree, where curves are prepared and evaluated "
+             + f" of {len(times)}. By degree, where curves are prepared and evaluated "
              "one point at a time:")
     point = [row for row in times if row["mode"] == "point"]
     degrees = sorted({row["degree"] for row in point})
     cells = {(row["form"], row["method"], row["degree"]): row for row in point}
-    body = [[curve, f"`{method}`"] + [f"{cells[curve, method, n][ratio]:.2f}"
-                                      + ("" if cells[curve, method, n]["quality"] == "ok" else " ~") for n in degrees]
+    body = [[curve, f"`{method}`"] + [f"{cells[curve, method, n][ratio]:.2f}" for n in degrees]
             for curve, method in dict.fromkeys((row["form"], row["method"]) for row in point)]
     return textwrap.fill(words, WIDTH) + "\n\n" + table(["form", "method", *(f"n = {n:.0f}" for n in degrees)], body)
