@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""The parts of the documents that the program says: its methods, suites, generators, kinds of studies and commands."""
+"""The parts of the documents that the program says, its methods, suites and generators, and the statements of its sources."""
 import csv
 import io
 import os
 import re
 import subprocess
-import sys
+from pathlib import Path
 
 from report.chapters.provenance import METHOD_COLUMNS
 from scripts.pages.markdown import table
 
-COMMAND = re.compile(r"^  ([a-z][a-z_-]*)(?:\s{2,}|$)")
+STATEMENTS = Path(__file__).resolve().parents[2] / "experiments/guarantees/statements.hpp"
+STATEMENT = re.compile(r"((?:^///.*\n)+)template <class Scalar>\nstruct \w+ \{\n  static constexpr Property", re.MULTILINE)
 COLUMNS = 100  # of a line of output
 
 
@@ -48,30 +49,10 @@ def generators(_page, program):
     return table(["id", "coordinates", "t", "weights"], body)
 
 
-def kinds(_page, program):
-    return f"```text\n{output(program, 'list', 'kinds').strip()}\n```"
-
-
-def subcommands(text):
-    """The names under the heading of commands in the text of a help."""
-    _, heading, listed = text.partition("\nSubcommands:\n")
-    return [found[1] for line in listed.split("\n\n")[0].splitlines() if (found := COMMAND.match(line))] if heading else []
-
-
-def commands(_page, program):
-    """What `--help` says of every command, in the order in which the program lists them."""
+def statements(_page):
+    """What each property states, from the comments of the statements."""
     parts = []
-
-    def visit(path):
-        text = output(program, *path, "--help")
-        name = " ".join(["bezierbench", *path])
-        shown = text.partition("\nThe keys of a [[study]]")[0].strip()  # docs/suites.md has the keys of studies
-        parts.append(f"## {name}\n\n```text\n{shown}\n```")
-        found = subcommands(text)
-        if not path and not found:
-            sys.exit(f"{program} --help names no commands that scripts/pages/program.py could read")
-        for one in found:
-            visit([*path, one])
-
-    visit([])
+    for comment in STATEMENT.findall(STATEMENTS.read_text(encoding="utf-8")):
+        name, _, text = " ".join(line.removeprefix("///").strip() for line in comment.splitlines()).partition(": ")
+        parts.append(f"**{name}**: " + text.replace("see Finite", "see `finite`").replace("*", r"\*").replace("|", r"\|"))
     return "\n\n".join(parts)
