@@ -59,7 +59,7 @@ TABLE = {
         ["oneTBB"],
     ),
     "experiments/cli": (["core", "reference", "experiments"], ["CLI11", "pugixml"]),
-    "experiments/programs": (["core", "reference", "experiments"], ["CLI11"]),
+    "experiments/programs": (["core", "reference", "experiments"], []),
     "bindings": (["core", "reference"], ["GMP/MPFR"]),
     "experiments/examples": ([], ["bezierbench"]),  # what users of the installed package write
 }

@@ -56,9 +56,6 @@ class Draws {
       }
   }
 
-  /// Half of them uniform in [0, 1], the others where rounding goes wrong more often.
-  Scalar any_parameter() { return below(2) == 0 ? uniform(0, 1) : parameter(); }
-
  private:
   using Limits = std::numeric_limits<Scalar>;
   static constexpr std::uint64_t families = 8;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Families of curves and t at which rounding once is hard: ties, numbers beside them, cancellation, underflow,
-// overflow. Studies of kind `hard_cases` draw from them, and so does the program that holds `correctly_rounded` to its
-// promise (experiments/programs/rounded).
+// overflow. Studies of kind `hard_cases` draw from them.
 #pragma once
 
 #include <array>
