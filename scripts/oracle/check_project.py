@@ -3,7 +3,8 @@
 """Judges `bezierbench curve project` in rational arithmetic, on random and difficult curves.
 
 It shares no code with the program. The distance at the program's exact_t is computed from the definition. (C - P).C'
-must change its sign there, or vanish, or at an end point out of the interval. No point of a grid may be nearer.
+must change its sign there, or vanish, or at an end point out of the interval. No point of a grid may be nearer, and of
+two parameters that are exactly as near exact_t must be the first.
 
 check_project.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
@@ -48,8 +49,22 @@ TARGETS = {
 }
 
 
+def there_and_back(draw):
+    """C(t) = C(1 - t)."""
+    half = integers(draw, draw.randint(1, 3), 1 + draw.randrange(3))
+    return half + half[::-1][draw.randrange(2):], Fraction(1, 2)
+
+
+def turned(draw):
+    """A line or parabola of 3 t^2 - 2 t, which is the same at t and 2/3 - t."""
+    a, b = integers(draw, 1, 2)
+    power = [[0, 0], [-2 * x for x in a], [3 * x + 4 * y for x, y in zip(a, b)], [-12 * y for y in b], [9 * y for y in b]]
+    return [[sum(12 * math.comb(k, j) / math.comb(4, j) * row[axis] for j, row in enumerate(power[:k + 1])) for axis in range(2)]
+            for k in range(5)], Fraction(1, 3)
+
+
 def cases(seed):
-    """Yields (name, control points, point)."""
+    """Yields (name, control points, point), and for curves that are the same at t and 2 c - t also c."""
     draw = random.Random(seed)
     five = [[-3.0, 1.0], [4.0, -7.0], [-4.0, 7.0], [3.0, -1.0]]
     yield "five critical points", five, [0.0, 0.0]
@@ -58,9 +73,13 @@ def cases(seed):
             for n in (1, 3, draw.choice((2, 4, 5, 6)), 3):
                 points = kind(draw, n, 1 + draw.randrange(3))
                 yield f"{kind.__name__} {n}, point {name}", points, target(draw, points)
+    for tie in (there_and_back, turned):
+        for _ in range(30):
+            points, centre = tie(draw)
+            yield tie.__name__, points, integers(draw, 0, len(points[0]))[0], centre
 
 
-def judge(program, points, target):
+def judge(program, points, target, centre=0):
     """Yields what is wrong with the program's rows, one line each."""
     rows, _ = program.ask("project", "--curve", points, "--point=" + ",".join(x.hex() for x in target))
     exact_points, exact_target = [list(map(Fraction, p)) for p in points], list(map(Fraction, target))
@@ -76,6 +95,8 @@ def judge(program, points, target):
     t, distance = Fraction(float(rows[0]["exact_t"])), float(rows[0]["exact_distance"])
     if not 0 <= t <= 1:
         yield f"exact_t {float(t)} is outside [0, 1]"
+    if centre + Fraction(1, 2**53) < t <= 2 * centre:
+        yield f"exact_t {float(t)}, but {float(2 * centre - t)} is as near and before it"
     here = math.sqrt(squared_distance(exact_points, exact_target, t))
     if abs(here - distance) > 2.0**-50 * size:  # t is rounded
         yield f"exact_distance {distance}, but {here} at exact_t"
@@ -100,9 +121,9 @@ def judge(program, points, target):
 
 
 def questions(program, seed):
-    for name, points, target in cases(seed):
-        yield f"{name} {points} {target}", judge(program, points, target)
+    for name, *question in cases(seed):
+        yield " ".join(map(str, (name, *question))), judge(program, *question)
 
 
 if __name__ == "__main__":
-    sys.exit(judging.main(__doc__, "projections", 100, questions))
+    sys.exit(judging.main(__doc__, "projections", 160, questions))
