@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-# bezierbench_folder(NAME [SUBFOLDERS] [WITH folder...] [LIGHT] [JOINED n] [JOINED_TESTS n] [PRECOMPILED target]
-# DEPENDS target...): the sources of this folder, with SUBFOLDERS those of the folders in it, and those of the folders WITH,
-# become the library NAME, their *_test.cpp the test program NAME_test. Files are globbed so that adding a method or a study
-# needs no second list. PRECOMPILED names the target whose precompiled header and options the folder has.
+# bezierbench_folder(NAME [FOLDER folder] [SUBFOLDERS] [WITH folder...] [LIGHT] [JOINED n] [JOINED_TESTS n]
+# [PRECOMPILED target] DEPENDS target...): the sources of FOLDER, or else of this folder, with SUBFOLDERS those of the folders
+# in it, and those of its folders WITH, become the library NAME, their *_test.cpp the test program NAME_test. Files are
+# globbed so that adding a method or a study needs no second list. PRECOMPILED names the target whose precompiled header and
+# options the folder has.
 #
 # LIGHT is for folders that neither are timed nor judge trials: a third of the time to compile them is saved by less
 # optimisation. The linker keeps the first copy of a template that several objects instantiate, so the program links the
@@ -21,7 +22,7 @@ function(bezierbench_join target number)
 endfunction()
 
 function(bezierbench_folder name)
-  cmake_parse_arguments(FOLDER "SUBFOLDERS;LIGHT" "JOINED;JOINED_TESTS;PRECOMPILED" "WITH;DEPENDS;TEST_DEPENDS" ${ARGN})
+  cmake_parse_arguments(FOLDER "SUBFOLDERS;LIGHT" "FOLDER;JOINED;JOINED_TESTS;PRECOMPILED" "WITH;DEPENDS;TEST_DEPENDS" ${ARGN})
   set(patterns *.cpp)
   if(FOLDER_SUBFOLDERS)
     list(APPEND patterns */*.cpp)
@@ -29,6 +30,9 @@ function(bezierbench_folder name)
   foreach(folder IN LISTS FOLDER_WITH)
     list(APPEND patterns ${folder}/*.cpp)
   endforeach()
+  if(FOLDER_FOLDER)
+    list(TRANSFORM patterns PREPEND ${FOLDER_FOLDER}/)
+  endif()
   file(GLOB sources CONFIGURE_DEPENDS ${patterns})
   set(tests ${sources})
   list(FILTER sources EXCLUDE REGEX "(_test|_fuzz|/main)\\.cpp$")
