@@ -35,7 +35,9 @@ class CommandLine(Case):
                 (["--set", "degree"], "axis=v1,v2"), (["--set", "degre=3"], "did you mean \"degree\"?"),
                 (["--set", "generator=dyadc"], "did you mean \"dyadic\"?"),
                 (["--set", "methods=horne_bernstein"], "did you mean \"horner_bernstein\"?"),
-                (["--set", "coordinate_range=1e39", "--set", "scalar=float"], "largest float")]:
+                (["--set", "coordinate_range=1e39", "--set", "scalar=float"], "largest float"),
+                (["--set", "coordinate_range=1e-999"], "coordinate_range=1e-999"), (["--checkpoint", "1e-999"], "--checkpoint 1e-999"),
+                (["--checkpoint", "nan"], "--checkpoint nan")]:
             with self.subTest(arguments=arguments):
                 self.refused(USAGE, run + arguments, needle)
 

@@ -16,7 +16,6 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 REPORT_SUITE = ROOT / "experiments/suites/report.toml"
 
 FINE, FINDING, USAGE, ENVIRONMENT, INPUT_OUTPUT, INTERRUPTED = 0, 1, 2, 3, 4, 130
-IN_MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None  # where thousands of fsyncs take seconds only
 CODE = pathlib.Path(PROGRAM).read_bytes()
 # The thread sanitizer writes a file of its own before main.
 HAS_THREAD_SANITIZER = b"libtsan" in CODE
@@ -55,10 +54,8 @@ def rows(text):
 
 
 class Case(unittest.TestCase):
-    place = None  # where the test's folder is; None: the usual place for temporary files
-
     def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="bezierbench-cli-", dir=self.place)
+        folder = tempfile.TemporaryDirectory(prefix="bezierbench-cli-")
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 

@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from program_case import CONVERSION, FINE, INPUT_OUTPUT, PATIENCE, PROGRAM, TIMING, USAGE, rows  # noqa: E402
+from program_case import CONVERSION, FINDING, FINE, INPUT_OUTPUT, PATIENCE, PROGRAM, TIMING, USAGE, rows  # noqa: E402
 from resume_case import ACCURACY, SEARCH, ResumeCase  # noqa: E402
 
 
@@ -59,6 +59,38 @@ class Resume(ResumeCase):
                 self.assert_complete("b")
                 self.assertEqual(self.results("b"), self.results("whole"))
                 shutil.rmtree(self.folder / "b")
+
+    def test_damage_of_what_a_run_goes_by(self):
+        """The machine is described again, and nothing else is."""
+        suite = self.suite(ACCURACY)
+        self.bundle(suite, name="whole")
+        self.start_and_stop("start", suite, which=signal.SIGINT)
+        for name in ("suite.toml", "methods.csv", "generators.csv", "machine.json"):
+            for damage in (lambda path: path.write_bytes(path.read_bytes()[:-1]), lambda path: path.unlink()):
+                shutil.copytree(self.folder / "start", self.folder / "b")
+                damage(self.folder / "b" / name)
+                if name != "machine.json":
+                    self.refused(INPUT_OUTPUT, ["run", suite, "--quiet", "--out", "b"], f"b/{name}: is ", "restore", unchanged=False)
+                else:
+                    self.assertEqual(self.run_program("run", suite, "--quiet", "--out", "b").returncode, FINE)
+                    self.assert_complete("b")
+                    self.assertEqual(self.results("b"), self.results("whole"))
+                shutil.rmtree(self.folder / "b")
+
+    def test_damage_of_what_is_complete(self):
+        """What a killed run left is removed, and no checksum is written again."""
+        suite = self.suite()
+        for name in ("accuracy.csv", "SHA256SUMS"):
+            bundle = self.bundle(suite, name=f"of_{name}")
+            self.write(f"{bundle}/blocks/whole.000001.blocks", "x")
+            path = self.folder / bundle / name
+            path.write_bytes(path.read_bytes()[:-1])
+            for _ in ("with blocks/", "without"):
+                result = self.run_program("run", suite, "--quiet", "--out", bundle)
+                self.assertEqual(result.returncode, FINDING, result)
+                self.assertIn(b"restore it, or remove it and run the command again", result.stderr)
+                self.assertFalse((self.folder / bundle / "blocks").exists())
+            self.assertEqual(self.run_program("verify", bundle).returncode, FINDING)
 
     def test_blocks_of_another_run_are_refused(self):
         suite = self.suite(ACCURACY)

@@ -144,6 +144,11 @@ class Merge(ShardCase):
         self.assertEqual(result.returncode, FINDING)
         self.assertIn("damaged", result.stderr.decode())
         self.assertFalse((self.folder / "m").exists())
+        for name in ("machine.json", "suite.toml", "methods.csv"):
+            path = self.folder / "s1" / name
+            path.write_bytes(path.read_bytes()[:-1])
+            self.refused(INPUT_OUTPUT, ["merge", "s1", "s3", "--out", "m"], f"s1/{name}: is not what SHA256SUMS lists")
+            path.write_bytes(path.read_bytes() + b"\n")
 
     def test_other_runs_are_refused(self):
         self.apart(2)

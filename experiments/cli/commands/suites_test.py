@@ -33,13 +33,14 @@ class Suites(Case):
                 ("coordinate_range", "[nan]", "finite"), ("coordinate_range", "[inf]", "finite"),
                 ("coordinate_range", '["nan"]', "finite"), ("coordinate_range", "[-1]", "negative"),
                 ("coordinate_range", "[]", "a value in it"), ("coordinate_range", "[true]", "number"),
-                ("coordinate_range", '["1e999"]', "number"), ("t_interval", "[[0, nan]]", "finite"),
+                ("coordinate_range", '["1e999"]', "number"), ("coordinate_range", '["1e-999"]', "number"), ("t_interval", "[[0, nan]]", "finite"),
                 ("t_interval", "[[-inf, 1]]", "finite"), ("t_interval", "[[1, 0]]", "a <= b"),
                 ("t_interval", "[0, 1]", "intervals"), ("t_interval", "[[0]]", "intervals"), ("t_interval", "[]", "a value in it"),
                 ("dimension", "[4]", "1, 2 or 3"), ("dimension", "[]", "a value in it"), ("scalar", '["half"]', "scalar"),
                 ("scalar", "[]", "a value in it"), ("trials", "0", "at least 1"), ("trials", "[5]", "whole number"),
                 ("trials", "nan", "whole number"), ("replicates", "0", "at least 1"), ("modes", '["point"]', "timing"),
-                ("id", '"a b"', "id"), ("id", '"."', "begin with"), ("id", '".."', "begin with"), ("id", '"-x"', "begin with"), ("id", '""', "id"), ("id", "7", "string"), ("title", "7", "string")]:
+                ("id", '"a b"', "id"), ("id", '"."', "begin with"), ("id", '".."', "begin with"), ("id", '"-x"', "begin with"), ("id", '""', "id"), ("id", "7", "string"), ("title", "7", "string"),
+                ("id", f'"{"n" * 101}"', "101 characters")]:
             with self.subTest(key=key, value=value):
                 self.at(f"{key} =" if key not in ("id", "title") else key, lines_of(**{key: value}), needle,
                         key_line=7 if key == "id" else 14 if key == "title" else None)
@@ -54,7 +55,7 @@ class Suites(Case):
     def test_structure(self):
         for lines, line, needle in [
                 (lines_of(kind='"acuracy"'), 8, 'did you mean "accuracy"?'), (lines_of(degre="[3]"), 14, 'did you mean "degree"?'),
-                (lines_of(kind=None), 6, "kind is missing"), (lines_of() + ["dimension = ["], 14, "not TOML")]:
+                ([line.replace("tiny", "n" * 101) for line in lines_of()], 3, "101 characters"), (lines_of(kind=None), 6, "kind is missing"), (lines_of() + ["dimension = ["], 14, "not TOML")]:
             with self.subTest(needle=needle):
                 self.write("s.toml", "\n".join(lines) + "\n")
                 self.refused(USAGE, ["run", "s.toml", "--out", "b"], f"bezierbench: s.toml:{line}:", needle)
@@ -66,7 +67,7 @@ class Suites(Case):
                 self.refused(USAGE, ["run", "s.toml", "--out", "b"], "s.toml:1:")
 
     def test_line_ends_and_byte_order_mark(self):
-        self.write("s.toml", "\ufeff" + "\r\n".join(lines_of()) + "\r\n")
+        self.write("s.toml", "\ufeff" + "\r\n".join(lines_of(id=f'"{"n" * 100}"')) + "\r\n")
         self.bundle("s.toml")
 
     def test_ids_are_unique_over_files(self):

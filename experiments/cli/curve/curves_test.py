@@ -83,7 +83,8 @@ class Curves(Case):
                 self.write("d.csv", content)
                 self.refused(INPUT_OUTPUT, ["curve", "length", "--curve", "d.csv"], "d.csv" + needles[0], *needles[1:])
                 self.refused(INPUT_OUTPUT, ["curve", "fit", "--points", "d.csv", "--tolerance", "1"], "d.csv" + needles[0], *needles[1:])
-        self.refused(USAGE, ["curve", "eval", "--curve", "c.csv", "--t", "1e-400"], "--t 1e-400", "too small for a double")
+        for command in (["eval", "--t", "1e-400"], ["length", "--tolerance", "1e-400"]):
+            self.refused(USAGE, ["curve", *command, "--curve", "c.csv"], " ".join(command[1:]), "too small for a double")
 
     def test_files_that_cannot_be_read(self):
         for name in ("absent.csv", ".", "c.csv/c.csv"):
