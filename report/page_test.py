@@ -127,6 +127,12 @@ class WrittenFiles(unittest.TestCase):
         self.assertEqual(self.html.count("<svg"), self.html.count('role="img"'))
         self.assertEqual(self.html.count("<svg"), sum(name.endswith(".svg") for name in self.files))
 
+    def test_page_is_whole_without_script(self):
+        self.assertGreater(len(self.page.tables["answer-table"]), 2)
+        self.assertGreater(sum(map(len, self.page.tables.values())), 100)
+        self.assertRegex(self.html, r'id="answer-sentence"[^>]*>[^<]{20}')
+        self.assertNotRegex(self.html, r"<(button|input|select)\b")
+
     def test_bundle_text_is_escaped(self):
         self.assertIn("none &amp; &lt;none&gt;", self.html)
         self.assertIn(r"none \& \textless{}none\textgreater{}", self.files["tables/provenance-bundle.tex"].decode())
