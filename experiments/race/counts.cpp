@@ -26,6 +26,7 @@ namespace {
 
 /// What a file says of the rival whose counts it holds.
 struct Counted {
+  std::size_t job = 0;
   std::size_t part = 0;
   std::size_t rival = 0;
   std::size_t points = 0;  ///< of the batch
@@ -33,7 +34,7 @@ struct Counted {
 };
 
 std::string text(const Counted& counted) {
-  return fmt::format("{} {} {} {}", counted.part, counted.rival, counted.points, counted.target);
+  return fmt::format("{} {} {} {} {}", counted.job, counted.part, counted.rival, counted.points, counted.target);
 }
 
 std::optional<Counted> counted_of(std::string_view line) {
@@ -41,7 +42,7 @@ std::optional<Counted> counted_of(std::string_view line) {
   if (!line.starts_with(before)) return std::nullopt;
   std::istringstream words{std::string(line.substr(before.size()))};
   Counted counted;
-  words >> counted.part >> counted.rival >> counted.points;
+  words >> counted.job >> counted.part >> counted.rival >> counted.points;
   if (!words) return std::nullopt;
   words >> counted.target;
   return counted;
@@ -83,19 +84,19 @@ bool can_count() { return BEZIERBENCH_CAN_COUNT; }
 
 bool runs_under_valgrind() { return RUNNING_ON_VALGRIND != 0; }
 
-void count(std::span<const Rival> rivals, std::size_t part) {
+void count(std::span<const Rival> rivals, std::size_t job, std::size_t part) {
   CALLGRIND_START_INSTRUMENTATION;
   for (std::size_t k = 0; k < rivals.size(); ++k)
-    count_one(rivals[k], text({part, k, rivals[k].points_per_batch, rivals[k].target}));
+    count_one(rivals[k], text({job, part, k, rivals[k].points_per_batch, rivals[k].target}));
   CALLGRIND_STOP_INSTRUMENTATION;
 }
 
-std::vector<std::vector<Cost>> read_counts(std::span<const std::string> files) {
+std::vector<std::vector<Cost>> read_counts(std::span<const std::string> files, std::size_t job) {
   std::vector<std::vector<Cost>> all;
   for (const auto& file : files) {
     std::optional<Counted> counted;
     auto totals = totals_of(file, counted);
-    if (!counted) continue;  // what Callgrind writes at the end
+    if (!counted || counted->job != job) continue;  // another job's, or what Callgrind writes at the end
     if (!totals.contains("Ir") || !totals.contains("Dr") || !totals.contains("Bc"))
       throw Failure(Exit::environment,
                     "callgrind: its output does not have loads, stores and branches; install "

@@ -38,10 +38,10 @@ bool can_count();
 /// Whether this process runs under Valgrind, where times mean nothing. False where can_count() is.
 bool runs_under_valgrind();
 
-/// Counts one batch of each rival, after one that is not counted. To be called under Callgrind.
-void count(std::span<const Rival> rivals, std::size_t part);
+/// Counts one batch of each rival of a part of a job, after one that is not counted. To be called under Callgrind.
+void count(std::span<const Rival> rivals, std::size_t job, std::size_t part);
 
-/// The counts in Callgrind's files, by part and rival. Throws Failure(environment) for a text that is not such a file.
-std::vector<std::vector<Cost>> read_counts(std::span<const std::string> files);
+/// The counts of a job in Callgrind's files, by part and rival. Throws Failure(environment) for a file without them.
+std::vector<std::vector<Cost>> read_counts(std::span<const std::string> files, std::size_t job);
 
 }  // namespace bezierbench::race

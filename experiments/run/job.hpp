@@ -49,8 +49,8 @@ struct JobContext {
   reference::Tier tier = reference::Tier::exact;
   std::int64_t audited_trials = 200;  ///< of replicate 0 of each cell of an accuracy study, for audit.csv
   std::size_t number = 0;             ///< of the job in its plan
-  /// Runs Job::count() of the job with this number in a child under Callgrind, and returns the files that it wrote.
-  std::function<std::vector<std::string>(std::size_t number)> count_job = {};
+  /// Runs Job::count() of every job in a child under Callgrind, once, and returns the files that it wrote.
+  std::function<std::vector<std::string>()> count_jobs = {};
 };
 
 /// The result of blocks of one part of a job. The order of merging changes nothing, and bytes keep it between

@@ -170,7 +170,7 @@ Plan::Plan(const RunRequest& request, Unplannable unplannable)
           for (const auto& study : request.kinds.studies_of(written))
             plan(study,
                  JobContext{
-                     .seed = one.seed, .tier = request.tier, .number = jobs.size(), .count_job = request.count_job});
+                     .seed = one.seed, .tier = request.tier, .number = jobs.size(), .count_jobs = request.count_jobs});
         });
   };
   each_study([&](const suite::Study& study, const JobContext& context) {

@@ -151,7 +151,16 @@ Outcome already_complete(const RunRequest& request, const Plan& plan) {
 
 }  // namespace
 
-void count(const RunRequest& request, std::size_t job) { Plan(request).jobs.at(job)->count(); }
+void count(const RunRequest& request) {
+  const Plan plan(request);
+  for (std::size_t k = 0; k < plan.jobs.size(); ++k) {
+    try {
+      plan.jobs[k]->count();
+    } catch (...) {  // an external method may throw anything
+      note(fmt::format("{}: cannot be counted", plan.job_names[k]));
+    }
+  }
+}
 
 Outcome run(const RunRequest& request) {
   const Plan plan(request);

@@ -84,8 +84,8 @@ struct RunRequest {
   std::string methods_csv;     ///< the list of methods that goes into the bundle
   std::string generators_csv;  ///< the list of generators, likewise
   std::vector<std::pair<std::string, std::string>> curve_files;  ///< curve sets of the suites that are files, likewise
-  /// JobContext::count_job, for studies that count instructions.
-  std::function<std::vector<std::string>(std::size_t job)> count_job = {};
+  /// JobContext::count_jobs, for studies that count instructions.
+  std::function<std::vector<std::string>()> count_jobs = {};
 };
 
 /// Runs all studies, or a shard of them, and writes the bundle once no block is missing. Until then blocks/ keeps the
@@ -93,8 +93,9 @@ struct RunRequest {
 /// another suite, seed or build, input_output when it cannot be written or another process does the same work there.
 Outcome run(const RunRequest& request);
 
-/// Calls Job::count() of one job, in a process that Callgrind runs; see RunRequest::count_job.
-void count(const RunRequest& request, std::size_t job);
+/// Calls Job::count() of every job, in a process that Callgrind runs. A job that fails, as an external method may, has no
+/// counts.
+void count(const RunRequest& request);
 
 /// Joins partial bundles of the run that `request` describes into `request.out`, which may be one of them. The others
 /// stay as they are. The order does not matter. The ending is `nothing_to_do` where one of them is the whole run's

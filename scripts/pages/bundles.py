@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The parts of the documents that are numbers of committed bundles."""
+import csv
 import subprocess
 import sys
 import tempfile
@@ -35,6 +36,20 @@ def real():
 def scorecard(_page):
     body = [[number, *(found[verdict] for verdict in MARK), found.total()] for number, found in counts(Bundle(BASELINE)).items()]
     return table(["table of the report", *MARK, "printed cells"], body)
+
+
+def gates(_page):
+    """How often each gate fired, of results/gates.csv, which scripts/check gates writes."""
+    with open(RESULTS / "gates.csv", newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    names = list(dict.fromkeys(row["gate"] for row in rows))
+    cells = {(row["change"], row["gate"]): row for row in rows}
+
+    def cell(row):
+        text = f"{row['fired']} of {row['runs']}" + (" ✓" if row["wrong"] == "0" else f", {row['wrong']} wrong")
+        return text + (f", {row['rows_undecided']} of {row['rows']} rows undecided" if row["rows_undecided"] != "0" else "")
+    return table(["change", *(f"`{name}` fired in" for name in names)],
+                 [[change, *(cell(cells[change, name]) for name in names)] for change in dict.fromkeys(row["change"] for row in rows)])
 
 
 def printed(_page):

@@ -117,9 +117,12 @@ Exit run(const RunOptions& options, const ExternalOptions& external) {
   request.dry_run = options.dry_run;
   if (options.host_name) request.host_name = bundle::HostName::told;
   leave_out_counts_without_valgrind(request);
-  request.count_job = counts_by_callgrind;
-  if (const auto job = job_to_count()) {
-    run::count(request, *job);
+  request.count_jobs = [files = std::make_shared<std::vector<std::string>>()] {
+    if (files->empty()) *files = counts_by_callgrind();
+    return *files;
+  };
+  if (is_to_count()) {
+    run::count(request);
     return Exit::fine;
   }
   const auto outcome = run::run(request);

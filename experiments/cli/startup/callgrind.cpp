@@ -16,14 +16,13 @@
 #include "experiments/race/counts.hpp"
 #include "experiments/run/interruption.hpp"
 #include "reference/number/echo.hpp"
-#include "reference/number/number.hpp"
 
 namespace bezierbench::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* variable = "BEZIERBENCH_JOB_TO_COUNT";
+constexpr const char* variable = "BEZIERBENCH_COUNTS";
 constexpr const char* valgrind = "valgrind";
 
 bool is_on_path(std::string_view program) {
@@ -64,13 +63,13 @@ class Folder {
 
 /// Becomes Valgrind. Of the environment it keeps only where programs and libraries are, since its size moves the
 /// stack.
-[[noreturn]] void become_callgrind(const std::string& folder, std::size_t job) {
+[[noreturn]] void become_callgrind(const std::string& folder) {
   std::vector<std::string> words{valgrind};
   words.insert(words.end(), std::begin(race::callgrind_options), std::end(race::callgrind_options));
   words.push_back("--callgrind-out-file=" + folder + "/counts.%p");
   words.push_back(fs::read_symlink("/proc/self/exe").string());
   for (auto& word : own_arguments()) words.push_back(std::move(word));
-  std::vector<std::string> environment{fmt::format("{}={}", variable, job)};
+  std::vector<std::string> environment{fmt::format("{}=yes", variable)};
   for (const char* kept : {"PATH", "LD_LIBRARY_PATH", "TMPDIR", "HOME"})
     if (const char* value = std::getenv(kept)) environment.push_back(fmt::format("{}={}", kept, value));
   const auto pointers = [](std::vector<std::string>& texts) {
@@ -90,12 +89,12 @@ std::string why_uncounted() {
   return race::can_count() ? "" : "the program was built without Valgrind's headers";
 }
 
-std::vector<std::string> counts_by_callgrind(std::size_t job) {
+std::vector<std::string> counts_by_callgrind() {
   const Folder folder;
   constexpr external::Limits limits{.seconds = 3600, .megabytes = 16384};
   constexpr std::size_t max_output = std::size_t{1} << 30U;
   const auto ended =
-      external::run_in_child([&] { become_callgrind(folder.path(), job); }, {}, max_output, limits, run::interrupted);
+      external::run_in_child([&] { become_callgrind(folder.path()); }, {}, max_output, limits, run::interrupted);
   if (ended.end == external::End::interrupted) return {};
   if (ended.end == external::End::signalled && ended.code == SIGILL)
     throw Failure(Exit::environment,
@@ -108,10 +107,6 @@ std::vector<std::string> counts_by_callgrind(std::size_t job) {
   return files;
 }
 
-std::optional<std::size_t> job_to_count() {
-  const char* const text = std::getenv(variable);
-  if (text == nullptr || !race::runs_under_valgrind()) return std::nullopt;
-  return static_cast<std::size_t>(number::parse_integer(text).value_or(0));
-}
+bool is_to_count() { return std::getenv(variable) != nullptr && race::runs_under_valgrind(); }
 
 }  // namespace bezierbench::cli

@@ -2,8 +2,6 @@
 // Counting in a child: this program's command line again, under Valgrind's Callgrind.
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,11 +11,12 @@ namespace bezierbench::cli {
 /// where they can be.
 [[nodiscard]] std::string why_uncounted();
 
-/// The files in which Callgrind wrote the counts of one job of this run, whose command line a child gives again; see
-/// run::JobContext::count_job. Throws Failure(environment) where the child fails, and Failure(interrupted).
-[[nodiscard]] std::vector<std::string> counts_by_callgrind(std::size_t job);
+/// The files in which Callgrind wrote the counts of this run, whose command line a child gives again; see
+/// run::JobContext::count_jobs. Empty where a signal asked this program to end. Throws Failure(environment) where the child
+/// fails.
+[[nodiscard]] std::vector<std::string> counts_by_callgrind();
 
-/// The job that this process is to count, if it is such a child.
-[[nodiscard]] std::optional<std::size_t> job_to_count();
+/// Whether this process is such a child.
+[[nodiscard]] bool is_to_count();
 
 }  // namespace bezierbench::cli

@@ -32,7 +32,7 @@ class RacingJob : public run::JobOf<State> {
     for (std::size_t part = 0; part < parts(); ++part)
       if (!races_[part].methods.empty()) {
         const auto judged = rivals_of(part);
-        race::count(judged.rivals, part);
+        race::count(judged.rivals, context_.number, part);
       }
   }
 
@@ -51,13 +51,13 @@ class RacingJob : public run::JobOf<State> {
   [[nodiscard]] bool is_count(std::size_t block) const { return block % blocks_per_part() == repetitions(); }
   [[nodiscard]] std::size_t repetition_of(std::size_t block) const { return block % blocks_per_part(); }
 
-  /// The counts of a race. A child counts all races of the job when the first of them is counted.
+  /// The counts of a race. A child counts all races of the run when the first of them is counted.
   [[nodiscard]] race::RaceTimes counted(std::size_t part) const {
     if (races_[part].methods.empty()) return {};
     if (counted_.empty()) {
-      const auto files = context_.count_job(context_.number);
+      const auto files = context_.count_jobs();
       if (run::interrupted()) return {};
-      counted_ = race::read_counts(files);
+      counted_ = race::read_counts(files, context_.number);
     }
     if (counted_.size() <= part || counted_[part].size() != races_[part].methods.size())
       throw Failure(Exit::environment, study_.id + ": Callgrind did not count every method; see --counts");
