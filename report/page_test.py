@@ -158,9 +158,6 @@ class WrittenFiles(unittest.TestCase):
                     if line.endswith(r"\\") and not line.startswith(r"\multicolumn"):
                         self.assertEqual(len(re.findall(r"(?<!\\)&", line)), columns - 1)
 
-    def test_same_bundle_same_bytes(self):
-        self.assertEqual(self.files, files())
-
     def test_figures_carry_no_date_and_printed_points(self):
         for name, data in self.files.items():
             if name.endswith(".svg"):

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 
 #include "experiments/bundle/atomic_file.hpp"
@@ -32,14 +33,25 @@ struct Seen {
   bool proved = true;
 };
 
-/// Of the methods that need neither a conversion nor a fused operation, by id.
+/// The methods with fused operations, as their counts of operations say.
+std::set<std::string> fused_methods() {
+  std::set<std::string> fused;
+  const auto methods = table("methods.csv");
+  for (std::size_t row = 0; row < methods.row_count(); ++row)
+    if (methods.at(row, "flops").find("fma") != std::string::npos) fused.insert(methods.at(row, "id"));
+  return fused;
+}
+
+/// Of the methods that need neither a conversion nor a fused operation, by id, at the degrees above 2.
 std::map<std::string, Seen> seen_in(const std::string& study) {
   std::map<std::string, Seen> all;
+  const auto fused = fused_methods();
   const auto timing = table("timing.csv");
   for (std::size_t row = 0; row < timing.row_count(); ++row) {
     const auto& id = timing.at(row, "method");
     if (timing.at(row, "study") != study + "-time" || timing.at(row, "mode") != "point" ||
-        timing.at(row, "degree").empty() || id.find(':') != std::string::npos || id.ends_with("_fma"))
+        timing.at(row, "degree").empty() || timing.at(row, "degree") == "2" || id.find(':') != std::string::npos ||
+        fused.contains(id))
       continue;
     all[id].times *= number_at(timing, row, "median_ns");
     ++all[id].degrees;
@@ -47,7 +59,7 @@ std::map<std::string, Seen> seen_in(const std::string& study) {
   const auto accuracy = table("accuracy.csv");
   for (std::size_t row = 0; row < accuracy.row_count(); ++row) {
     const auto found = all.find(accuracy.at(row, "method"));
-    if (accuracy.at(row, "study") != study || found == all.end()) continue;
+    if (accuracy.at(row, "study") != study || accuracy.at(row, "degree") == "2" || found == all.end()) continue;
     auto& seen = found->second;
     seen.proved =
         seen.proved && !accuracy.at(row, "bound_u").empty() && number_at(accuracy, row, "unbounded_trials") == 0;
@@ -59,7 +71,7 @@ std::map<std::string, Seen> seen_in(const std::string& study) {
 /// The method that the rule of recommended.hpp names.
 std::string chosen_by_rule(const std::string& study) {
   auto all = seen_in(study);
-  std::erase_if(all, [](const auto& one) { return one.second.degrees < 3 || !one.second.proved; });
+  std::erase_if(all, [](const auto& one) { return one.second.degrees < 4 || !one.second.proved; });
   const auto by = [](double Seen::*value) {
     return [value](const auto& a, const auto& b) { return a.second.*value < b.second.*value; };
   };
@@ -69,7 +81,7 @@ std::string chosen_by_rule(const std::string& study) {
 }
 
 TEST(Recommended, IsWhatTheCommittedTablesSay) {
-  for (const int degree : {3, 12, 30}) {
+  for (const int degree : {3, 5, 12, 30}) {
     EXPECT_EQ(recommended(degree).id, chosen_by_rule("answers-bezier"));
     EXPECT_EQ(recommended(degree).id, chosen_by_rule("answers-outside"));
     EXPECT_EQ(recommended<Form::power>(degree).id, chosen_by_rule("answers-power"));

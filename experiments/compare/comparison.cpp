@@ -26,24 +26,19 @@ std::vector<std::string> result_columns(const bundle::DeclaredTable& declared, c
   return results;
 }
 
-/// Whether the column is a mean or a largest error.
-bool is_error(const bundle::Column& column) {
-  return column.is_digested && (column.name.starts_with("mean_error") || column.name.starts_with("max_error"));
-}
-
-/// The error that grew most from row a to row b; 0 may grow to infinity, as may a number that is lost.
-std::optional<std::pair<std::string, double>> grown_error(const bundle::DeclaredTable& declared,
-                                                          const tables::TableRow& a, const tables::TableRow& b) {
-  std::optional<std::pair<std::string, double>> most;
+/// What became of the mean and largest errors of row a in row b.
+std::vector<std::pair<std::string, double>> errors_of(const bundle::DeclaredTable& declared, const tables::TableRow& a,
+                                                      const tables::TableRow& b) {
+  std::vector<std::pair<std::string, double>> errors;
   for (const auto& column : declared.columns) {
-    if (!is_error(column) || !a.has(column.name) || !b.has(column.name)) continue;
+    const bool is_error = column.name.starts_with("mean_error") || column.name.starts_with("max_error");
+    if (!column.is_digested || !is_error || !a.has(column.name) || !b.has(column.name)) continue;
     const auto before = a.optional_number(column.name);
     const auto after = b.optional_number(column.name);
-    if (!before || !after || *after == *before) continue;  // what has no number any more has a status
-    const double growth = *after > *before && *before > 0 ? *after / *before : std::numeric_limits<double>::infinity();
-    if (!(*after <= *before) && (!most || growth > most->second)) most = {column.name, growth};
+    if (before && after && *after != *before)  // what has no number any more has a status
+      errors.emplace_back(column.name, *before > 0 ? *after / *before : std::numeric_limits<double>::infinity());
   }
-  return most;
+  return errors;
 }
 
 /// What row b says against the method and row a does not; empty where there is nothing.
@@ -88,7 +83,7 @@ void compare_results(const bundle::DeclaredTable& declared, const bundle::CsvDoc
     if (row.verdict == different) {
       const tables::TableRow row_a(a, pair.a);
       const tables::TableRow row_b(b, pair.b);
-      row.grown = grown_error(declared, row_a, row_b);
+      row.errors = errors_of(declared, row_a, row_b);
       row.broken = newly_broken(declared, row_a, row_b);
     }
     comparison.results.push_back(std::move(row));

@@ -48,8 +48,8 @@ struct Row {
                          std::numeric_limits<double>::quiet_NaN()};
   std::string_view verdict = {};  ///< of times that on `timed->judged`
   std::optional<Timed> timed = {};
-  /// Of results: the error that grew most, as its column, and how often it is its value in a. Empty where none grew.
-  std::optional<std::pair<std::string, double>> grown = {};
+  /// Of results: b over a of every mean and largest error that differs, by column; infinite where it was 0.
+  std::vector<std::pair<std::string, double>> errors = {};
   /// What says against b and not against a: a broken bound, promise or guarantee, or a status without numbers.
   std::string broken = {};
 

@@ -50,7 +50,8 @@ struct GateReport {
 
 /// The rulings of one gate. `threshold` is what a ratio may grow beyond 1: 0.05 for 5 %.
 ///   slower         a time: the low end of the judged ratio lies above the threshold
-///   less-accurate  a result: a mean or largest error grew beyond the threshold, or a bound, promise or guarantee broke
+///   less-accurate  a result: a mean error grew beyond the threshold, or a largest one whose mean grew too, or to more than
+///                  twice what it was; or a bound, promise or guarantee broke
 ///   costlier       counted instructions grew beyond the threshold
 /// A change for the better fails none of the three. The comparison must outlive the report.
 [[nodiscard]] GateReport rule(Gate gate, const Comparison& comparison, double threshold);

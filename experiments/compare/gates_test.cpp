@@ -47,7 +47,9 @@ TEST(LessAccurateGate, FailsOnGrowthBeyondTheThreshold) {
   EXPECT_EQ(on_errors("ok,1,2,0", "ok,1.04,2,0").ruling, Ruling::passes);
   EXPECT_EQ(on_errors("ok,1,2,0", "ok,0.5,1,0").ruling, Ruling::passes) << "more accurate";
   EXPECT_EQ(on_errors("ok,1,2,0", "ok,1.1,1,0").ruling, Ruling::fails) << "the mean alone";
-  EXPECT_EQ(on_errors("ok,1,2,0", "ok,1,3,0").why, "max_error_u is 1.5 times as large");
+  EXPECT_EQ(on_errors("ok,1,2,0", "ok,1.01,3,0").why, "max_error_u is 1.5 times as large");
+  EXPECT_EQ(on_errors("ok,1,2,0", "ok,0.8,3,0").ruling, Ruling::passes) << "the largest of a sample, by chance";
+  EXPECT_EQ(on_errors("ok,1,2,0", "ok,0.8,5,0").ruling, Ruling::fails);
   EXPECT_EQ(on_errors("ok,0,0,0", "ok,1e-20,0,0").ruling, Ruling::fails) << "it was exact";
   EXPECT_EQ(on_errors("ok,1,inf,0", "ok,1,2,0").ruling, Ruling::passes);
 }

@@ -147,9 +147,11 @@ std::vector<ChoiceGroup> timed_groups(const std::vector<TableRow>& timing) {
     };
     auto group = std::ranges::find_if(groups, same);
     if (group == groups.end()) group = groups.insert(groups.end(), key);
-    auto& choice = group->choices.emplace_back(
-        row.text("method"), metric::Interval{row.number("median_ns"), row.number("low_ns"), row.number("high_ns")},
-        row.text("quality"), LargestErrors{});
+    group->choices.push_back({row.text("method"),
+                              {row.number("median_ns"), row.number("low_ns"), row.number("high_ns")},
+                              row.text("quality"),
+                              {}});
+    auto& choice = group->choices.back();
     if (!row.optional_number("ratio")) continue;
     choice.ratio = metric::Interval{row.number("ratio"), row.number("ratio_low"), row.number("ratio_high")};
     choice.relative_to = row.text("relative_to");

@@ -178,7 +178,7 @@ def time_text(row, counted):
     low, high = (general(number(row, column), 2) for column in ("ratio_low", "ratio_high"))
     nanoseconds = number(row, "median_ns")
     about = f"{general(nanoseconds, 2)} ns" if nanoseconds < MICROSECOND else f"{general(nanoseconds / MICROSECOND, 2)} µs"
-    ratio = "1" if row["relative_to"] == row["method"] else low if low == high else f"{low} to {high}"
+    ratio = "1" if row["relative_to"] == row["method"] else high if float(low) == float(high) else f"{low} to {high}"
     return f"{ratio} ×<br>" + (f"{large(round(number(counted, 'instructions')))} instructions, " if counted else "") + f"about {about}"
 
 

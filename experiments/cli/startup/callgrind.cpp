@@ -7,10 +7,10 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <sstream>
 #include <string_view>
 
 #include "experiments/bundle/atomic_file.hpp"
+#include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/external/child.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/race/counts.hpp"
@@ -24,14 +24,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* variable = "BEZIERBENCH_COUNTS";
 constexpr const char* valgrind = "valgrind";
-
-bool is_on_path(std::string_view program) {
-  const char* const path = std::getenv("PATH");
-  std::istringstream folders(path == nullptr ? "" : path);
-  for (std::string folder; std::getline(folders, folder, ':');)
-    if (access((fs::path(folder) / program).c_str(), X_OK) == 0) return true;
-  return false;
-}
 
 /// The words of this process's command line, without the program.
 std::vector<std::string> own_arguments() {
@@ -85,7 +77,7 @@ class Folder {
 }  // namespace
 
 std::string why_uncounted() {
-  if (!is_on_path(valgrind)) return "Valgrind is not installed";
+  if (!folder_on_path(valgrind)) return "Valgrind is not installed";
   return race::can_count() ? "" : "the program was built without Valgrind's headers";
 }
 

@@ -2,9 +2,12 @@
 #include "experiments/cli/startup/suite_options.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -38,19 +41,32 @@ fs::path folder_of_program() {
 /// The link to the folder `name` that CMake makes in the build folder.
 fs::path link_of_build(const char* name) { return folder_of_program() / name; }
 
+/// Beside this program, or beside the bezierbench on the path, where this program is a user's own.
 fs::path shipped_folder(const char* name) {
   std::error_code ignored;
   const auto installed = folder_of_program().parent_path() / "share/bezierbench" / name;
-  for (const auto& folder : {installed, link_of_build(name)})
+  std::vector<fs::path> folders{installed, link_of_build(name)};
+  if (const auto bin = folder_on_path("bezierbench"))
+    folders.insert(folders.end(), {bin->parent_path() / "share/bezierbench" / name, *bin / name});
+  for (const auto& folder : folders)
     if (fs::is_directory(folder, ignored)) return folder;
   throw Failure(
       Exit::environment,
       fmt::format(
-          "{}: is missing, and it comes with the program; install the program with cmake --install, or name files",
+          "{}: is missing, and it comes with the program; install the program with cmake --install, put bezierbench on "
+          "PATH, or name files",
           installed.string()));
 }
 
 }  // namespace
+
+std::optional<fs::path> folder_on_path(std::string_view program) {
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (access((fs::path(folder) / program).c_str(), X_OK) == 0) return folder;
+  return std::nullopt;
+}
 
 fs::path suites_folder() { return shipped_folder("suites"); }
 

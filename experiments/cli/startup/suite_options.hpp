@@ -29,6 +29,9 @@ std::filesystem::path real_folder();
 /// The ids of the suites in suites_folder(), in alphabetical order. The file of a suite is ID.toml.
 std::vector<std::string> shipped_suites();
 
+/// The first folder of PATH that has this program.
+std::optional<std::filesystem::path> folder_on_path(std::string_view program);
+
 /// The file that a word of the command line names: itself where it has a slash or ends in .toml, else the shipped suite
 /// with this id. Throws Failure(Exit::usage) where there is none.
 std::filesystem::path suite_file(const std::string& word);
