@@ -2,9 +2,9 @@
 // The evaluator that a caller gets who names none. Rule: of the methods with a proved bound at every trial that need
 // neither a conversion nor a fused operation in hardware, those whose times in mode `point` have a product over the
 // degrees 3, 5, 12 and 30 within a fifth of the smallest (a race is no sharper), and of these the one with the smallest
-// errors. The test beside this file applies it to timing.csv and accuracy.csv of the committed bundle results/answers:
-// to the studies answers-bezier (t in [0,1]), answers-outside (t in [-100,100]), answers-power, answers-rational, and
-// those of the same names with -time. The choice is the same inside and outside of [0,1]; for rational curves no method
+// product of largest errors. The test beside this file applies it to timing.csv and accuracy.csv of the committed bundle
+// results/answers: to the studies answers-bezier (t in [0,1]) and answers-outside (t in [-100,100]) together, since the
+// choice is the same inside and outside of [0,1], to answers-power and to answers-rational; for rational curves no method
 // has a bound outside.
 //
 // `de_casteljau` takes the degrees to 2, where its bound is smaller and the time the same (the ratio at degree 2 in the

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/csv.hpp"
@@ -25,7 +26,7 @@ double number_at(const bundle::CsvDocument& of, std::size_t row, std::string_vie
   return number::parse_number(of.at(row, column)).value();
 }
 
-/// Over the degrees of a study: how many were timed, the product of the times, and of the errors.
+/// Over the degrees of some studies: how many were timed, the product of the times, and of the errors.
 struct Seen {
   int degrees = 0;
   double times = 1;
@@ -42,16 +43,16 @@ std::set<std::string> fused_methods() {
   return fused;
 }
 
-/// Of the methods that need neither a conversion nor a fused operation, by id, at the degrees above 2.
-std::map<std::string, Seen> seen_in(const std::string& study) {
-  std::map<std::string, Seen> all;
+/// Adds a study to what was seen of the methods that need neither a conversion nor a fused operation, by id, at the
+/// degrees above 2.
+void see(const std::string& study, std::map<std::string, Seen>& all) {
   const auto fused = fused_methods();
   const auto timing = table("timing.csv");
   for (std::size_t row = 0; row < timing.row_count(); ++row) {
     const auto& id = timing.at(row, "method");
-    if (timing.at(row, "study") != study + "-time" || timing.at(row, "mode") != "point" ||
-        timing.at(row, "degree").empty() || timing.at(row, "degree") == "2" || id.find(':') != std::string::npos ||
-        fused.contains(id))
+    const auto& degree = timing.at(row, "degree");
+    if (timing.at(row, "study") != study + "-time" || timing.at(row, "mode") != "point" || degree.empty() ||
+        degree == "2" || id.find(':') != std::string::npos || fused.contains(id))
       continue;
     all[id].times *= number_at(timing, row, "median_ns");
     ++all[id].degrees;
@@ -65,13 +66,16 @@ std::map<std::string, Seen> seen_in(const std::string& study) {
         seen.proved && !accuracy.at(row, "bound_u").empty() && number_at(accuracy, row, "unbounded_trials") == 0;
     if (seen.proved) seen.errors *= number_at(accuracy, row, "max_error_u");
   }
-  return all;
 }
 
 /// The method that the rule of recommended.hpp names.
-std::string chosen_by_rule(const std::string& study) {
-  auto all = seen_in(study);
-  std::erase_if(all, [](const auto& one) { return one.second.degrees < 4 || !one.second.proved; });
+std::string chosen_by_rule(const std::vector<std::string>& studies) {
+  constexpr int degrees = 4;  // 3, 5, 12, 30
+  std::map<std::string, Seen> all;
+  for (const auto& study : studies) see(study, all);
+  std::erase_if(all, [&](const auto& one) {
+    return one.second.degrees < degrees * static_cast<int>(studies.size()) || !one.second.proved;
+  });
   const auto by = [](double Seen::*value) {
     return [value](const auto& a, const auto& b) { return a.second.*value < b.second.*value; };
   };
@@ -82,10 +86,9 @@ std::string chosen_by_rule(const std::string& study) {
 
 TEST(Recommended, IsWhatTheCommittedTablesSay) {
   for (const int degree : {3, 5, 12, 30}) {
-    EXPECT_EQ(recommended(degree).id, chosen_by_rule("answers-bezier"));
-    EXPECT_EQ(recommended(degree).id, chosen_by_rule("answers-outside"));
-    EXPECT_EQ(recommended<Form::power>(degree).id, chosen_by_rule("answers-power"));
-    EXPECT_EQ(recommended<Form::rational>(degree).id, chosen_by_rule("answers-rational"));
+    EXPECT_EQ(recommended(degree).id, chosen_by_rule({"answers-bezier", "answers-outside"}));
+    EXPECT_EQ(recommended<Form::power>(degree).id, chosen_by_rule({"answers-power"}));
+    EXPECT_EQ(recommended<Form::rational>(degree).id, chosen_by_rule({"answers-rational"}));
   }
 }
 
