@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The evaluator that a caller gets who names none. Rule: of the methods with a proved bound at every trial that need
 // neither a conversion nor a fused operation in hardware, those whose times in mode `point` have a product over the
-// degrees 3, 5, 12 and 30 within a fifth of the smallest (a race is no sharper), and of these the one with the smallest
-// product of largest errors. The test beside this file applies it to timing.csv and accuracy.csv of the committed bundle
-// results/answers: to the studies answers-bezier (t in [0,1]) and answers-outside (t in [-100,100]) together, since the
-// choice is the same inside and outside of [0,1], to answers-power and to answers-rational; for rational curves no method
-// has a bound outside.
+// degrees 3, 5, 12 and 30 within a fifth of the smallest (a race is no sharper), and of these the one with the
+// smallest product of largest errors. The test beside this file applies it to timing.csv and accuracy.csv of the
+// committed bundle results/answers: to the studies answers-bezier (t in [0,1]) and answers-outside (t in [-100,100])
+// together, since the choice is the same inside and outside of [0,1], to answers-power and to answers-rational; for
+// rational curves no method has a bound outside.
 //
-// `de_casteljau` takes the degrees to 2, where its bound is smaller and the time the same (the ratio at degree 2 in the
-// same bundle), and those past half of the type's largest exponent, 512 in double and 64 in float. Up to
-// there C(n,i) < 2^n, so that C(n,i) b_i is finite for coordinates up to 1e154 in double, 1e19 in float.
+// `de_casteljau` takes the degrees to 2, where its bound is smaller and the time the same (the ratio at degree 2 in
+// the same bundle), and those past half of the type's largest exponent, 512 in double and 64 in float. Up to there
+// C(n,i) < 2^n, so that C(n,i) b_i is finite for coordinates up to 1e154 in double, 1e19 in float.
 //
 // Scalars that are not floating-point numbers get the scheme that needs least of them, sums and products:
 // `de_casteljau` or `horner`.
