@@ -81,10 +81,11 @@ struct Comparison {
   [[nodiscard]] std::vector<const Row*> differing() const;
 };
 
-/// Compares the deterministic tables bit for bit, the times by metric::verdict, but `unresolved` where the quality is not
-/// `ok`, and counted instructions exactly. Bundles with different seeds have different inputs, so that only times are compared.
-/// For different suites only tables with a column `trials` are compared: the rows of any other table do not say how many
-/// trials they cover. Throws Failure(Exit::input_output) for a time that is not a number.
+/// Compares the deterministic tables bit for bit, counted instructions exactly, and times by metric::verdict, which
+/// is `unresolved` where the quality is not `ok`. Bundles with different seeds have different inputs, so that only
+/// times and counts are compared. For different suites only tables with a column `trials` are compared: the rows of
+/// any other table do not say how many trials they cover. Throws Failure(Exit::input_output) for a time that is not
+/// a number.
 [[nodiscard]] Comparison compare_sides(const Side& a, const Side& b);
 
 /// The worst_id of the input that `side` recorded for the cell and method of `inputs`, which can be replayed; empty

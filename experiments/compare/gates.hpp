@@ -49,10 +49,10 @@ struct GateReport {
 };
 
 /// The rulings of one gate. `threshold` is what a ratio may grow beyond 1: 0.05 for 5 %.
-///   slower         a time: the low end of the judged ratio lies above the threshold
-///   less-accurate  a result: a mean error grew beyond the threshold, or a largest one whose mean grew too, or to more than
-///                  twice what it was; or a bound, promise or guarantee broke
-///   costlier       counted instructions grew beyond the threshold
+///   slower         of a time, the low end of Timed::judged is above 1 + threshold
+///   less-accurate  of a result, a mean error is above 1 + threshold times what it was; or a largest error is, and the mean
+///                  grew as well; or a largest error has more than doubled; or a bound, promise or guarantee broke
+///   costlier       the instructions are above 1 + threshold times what they were
 /// A change for the better fails none of the three. The comparison must outlive the report.
 [[nodiscard]] GateReport rule(Gate gate, const Comparison& comparison, double threshold);
 

@@ -55,7 +55,7 @@ enum class ParameterSource { drawn, grid, stored };
 /// at most 64 times the largest coordinate on every axis, like a glyph on a page. The results are rounded once.
 enum class Placement { stored, scaled, translated };
 
-/// Whether a timing study counts instructions: not, beside its times, or instead of them.
+/// Whether a timing study counts instructions: `none`; `beside_times`; or `only`, without any times.
 enum class Counting { none, beside_times, only };
 
 struct Interval {

@@ -115,7 +115,9 @@ const Column* DeclaredTable::column(std::string_view name) const {
 }
 
 std::vector<std::string> DeclaredTable::header() const {
-  return names(columns, [](const Column& /*column*/) { return true; });
+  std::vector<std::string> all;
+  for (const auto& one : columns) all.push_back(one.name);
+  return all;
 }
 
 std::vector<std::string> DeclaredTable::digested() const {

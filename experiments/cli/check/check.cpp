@@ -98,7 +98,7 @@ Suites only(Suites suites, const std::string& id, const Keep& keep) {
   return suites;
 }
 
-/// Throws Failure(Exit::usage) where there is no method with this id.
+/// The method with this id. Throws Failure(Exit::usage) where there is none.
 Checked find_method(const std::string& id, const ExternalOptions& external) {
   Checked checked{id, external.methods()};
   if (suite::is_external(id)) {

@@ -28,11 +28,15 @@ struct Against {
   TestedProgram program = {};         ///< where it is not a bundle
 };
 
-/// A folder is a bundle; of a method that is a command, any other word is that command before the change. A file is a
-/// plug-in where the method is one and the file's name ends in .so, else a program. Any other word is a commit of the
-/// repository around the current folder; it gets the external methods of `now`, this program. A commit is built with the preset `release` below $XDG_CACHE_HOME or ~/.cache, unless it was built before;
-/// `quiet` leaves out the message that says so. Throws Failure(Exit::usage) for any other word, and
-/// Failure(Exit::environment), naming the file with the output, where the commit cannot be built.
+/// What `--against WORD` names, the first that fits:
+/// - a folder: a bundle;
+/// - where `method` is a command: that command before the change;
+/// - where `method` is a plug-in and the word names a file that ends in .so: that plug-in before the change;
+/// - any other file: a program, which gets the external methods of `now`, this program;
+/// - a commit of the repository around the current folder, whose program gets the same methods. It is built with the preset
+///   `release` below $XDG_CACHE_HOME or ~/.cache, unless it was built before; `quiet` leaves out the message that says so.
+/// `method` is null unless it is external. Throws Failure(Exit::usage) for any other word, and Failure(Exit::environment),
+/// naming the file with the output, where the commit cannot be built.
 Against find_against(const std::string& word, const TestedProgram& now, const suite::ExternalMethod* method,
                      bool quiet);
 

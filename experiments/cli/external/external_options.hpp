@@ -22,7 +22,7 @@ class ExternalOptions {
   void add(Command& command);
   /// Opens every method. Throws Failure(usage) for an invalid one, and where two have the same id.
   [[nodiscard]] external::Methods methods() const;
-  /// The options as they were given, for another call of the program.
+  /// The words of these options, as another process of the program takes them on its command line.
   [[nodiscard]] std::vector<std::string> arguments() const;
 
  private:

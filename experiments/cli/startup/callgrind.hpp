@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counting in a child: this program's command line again, under Valgrind's Callgrind.
+// Counts are taken in a child process, which is this program with the same command line under Valgrind's Callgrind.
 #pragma once
 
 #include <string>
@@ -11,9 +11,8 @@ namespace bezierbench::cli {
 /// where they can be.
 [[nodiscard]] std::string why_uncounted();
 
-/// The files in which Callgrind wrote the counts of this run, whose command line a child gives again; see
-/// run::JobContext::count_jobs. Empty where a signal asked this program to end. Throws Failure(environment) where the child
-/// fails.
+/// Runs such a child and returns the files with its counts; see run::JobContext::count_jobs. Empty where a signal
+/// asked this program to end. Throws Failure(environment) where the child fails.
 [[nodiscard]] std::vector<std::string> counts_by_callgrind();
 
 /// Whether this process is such a child.

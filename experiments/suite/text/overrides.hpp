@@ -22,8 +22,8 @@ struct Overrides {
   bool counts = false;  ///< timing studies count instructions, with no_timing only that
 };
 
-/// Applies `overrides`: drops the studies that `only` leaves out and those of times that `no_timing` does, and suites that are then empty. Then
-/// sets seed, trials and keys in every study that remains; a key that one of them does not have is refused. The result
+/// Applies `overrides`: drops the studies that `only` does not match, and with `no_timing` those of times that do not
+/// count; then suites that are empty. Sets seed, trials and keys in every study that remains; a key that one of them does not have is refused. The result
 /// passes the same checks as a suite file. Throws Failure(Exit::usage) with `--set degree=x: what; what to do`; the
 /// suites are then unchanged.
 void apply(const Overrides& overrides, std::vector<Suite>& suites, const Vocabulary& known);
