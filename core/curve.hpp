@@ -36,6 +36,7 @@ class Curve {
   using Scalar = ScalarT;
   static constexpr Form form = F;
   static constexpr int dimension = DimensionT;
+  static constexpr int fixed_degree = DegreeT;  ///< or `dynamic`
 
   explicit Curve(int degree) {
     assert(degree >= 0 && degree <= max_degree);

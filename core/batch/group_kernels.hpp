@@ -3,7 +3,6 @@
 // compiled for.
 #pragma once
 
-#include "core/batch/lane_estrin.hpp"
 #include "core/batch/lane_triangle.hpp"
 #include "core/batch/roster.hpp"
 #include "core/batch/target_table.hpp"

@@ -21,6 +21,7 @@ class Curve<F, batch::HWY_NAMESPACE::Lanes<S, Count>, DimensionT, DegreeT> {
   using Scalar = batch::HWY_NAMESPACE::Lanes<S, Count>;
   static constexpr Form form = F;
   static constexpr int dimension = DimensionT;
+  static constexpr int fixed_degree = dynamic;
 
   HWY_INLINE Curve(const S* first, int degree) : first_(first), degree_(degree) {}
 
@@ -155,6 +156,8 @@ template <Form F, class L, int Dimension, int Degree>
 class Chosen {
  public:
   using Scalar = L;
+  static constexpr int dimension = Dimension;
+  static constexpr int fixed_degree = dynamic;
   using Either = Curve<F, L, Dimension, Degree>;
 
   HWY_INLINE Chosen(const typename L::Mask& is_first, const Either& first, const Either& second)
@@ -170,31 +173,6 @@ class Chosen {
   const Either& first_;
   const Either& second_;
 };
-
-/// The curve with its coefficients counted, in each lane, from the end that t is nearer to.
-template <class S, int Count, Curves Which, int Dimension, int Degree>
-struct EitherEnd {
-  [[nodiscard]] HWY_INLINE int degree() const { return curve.degree(); }
-  [[nodiscard]] HWY_INLINE Lanes<S, Count, Which> operator()(int axis, int i) const {
-    return select(from_start, curve(axis, i), curve(axis, curve.degree() - i));
-  }
-
-  LaneMask<S, Count> from_start;
-  const ControlPoints<S, Count, Which, Dimension, Degree>& curve;
-};
-
-template <class S, int Count, Curves Which, int Dimension, int Degree>
-HWY_INLINE EitherEnd<S, Count, Which, Dimension, Degree> reversed_unless(
-    const LaneMask<S, Count>& from_start, const ControlPoints<S, Count, Which, Dimension, Degree>& curve) {
-  return {from_start, curve};
-}
-
-template <class S, int Count, Curves Which, int Dimension, int Degree>
-HWY_INLINE Lanes<S, Count, Which> from_nearer_end(const LaneMask<S, Count>& from_start,
-                                                  const ControlPoints<S, Count, Which, Dimension, Degree>& curve,
-                                                  int axis, int i) {
-  return reversed_unless(from_start, curve)(axis, i);
-}
 
 }  // namespace batch::HWY_NAMESPACE
 

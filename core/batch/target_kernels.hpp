@@ -5,7 +5,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/batch/lane_estrin.hpp"
 #include "core/batch/lane_triangle.hpp"
 #include "core/batch/roster.hpp"
 #include "core/batch/target_table.hpp"

@@ -11,7 +11,7 @@
 
 #include "core/bound/bspline_bound.hpp"
 #include "core/curve.hpp"
-#include "core/evaluate/schemes/triangle_scheme.hpp"
+#include "core/evaluate/schemes/triangle.hpp"
 #include "core/method.hpp"
 
 namespace bezierbench {

@@ -44,10 +44,10 @@ struct TwoSidedSplit {
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
     const bool near_start = t + t <= Scalar(1);
     const Scalar r = near_start ? t : Scalar(1) - t;
-    auto from_nearer =
-        split_by_triangle(reversed_unless(near_start, curve), [r](Scalar a, Scalar b) { return a + r * (b - a); });
-    if (near_start) return from_nearer;
-    return {reversed_unless(near_start, from_nearer.right), reversed_unless(near_start, from_nearer.left)};
+    const auto step = [r](Scalar a, Scalar b) { return a + r * (b - a); };
+    if (near_start) return split_by_triangle(curve, step);
+    const auto from_end = split_by_triangle(reversed(curve), step);
+    return {reversed(from_end.right), reversed(from_end.left)};
   }
 };
 

@@ -31,6 +31,7 @@ class Curve<F, ScalarT, DimensionT, viewed> {
   using Scalar = ScalarT;
   static constexpr Form form = F;
   static constexpr int dimension = DimensionT;
+  static constexpr int fixed_degree = dynamic;
 
   Curve(const Scalar* first, int degree) : first_(first), degree_(degree) {}
 

@@ -130,18 +130,19 @@ struct CompensatedVolkSchumaker : SameForEveryAxis {
     const Expansion2<Scalar> smaller{select(near_start, t, s.value), select(near_start, Scalar(0), s.error)};
     const auto ratio = quotient<Scalar>(smaller, larger);
     const auto scale = power<Scalar>(larger, n);
+    const FromNearerEnd scaled(near_start, prepared.scaled);
+    const FromNearerEnd lost(near_start, prepared.lost);
     Point<Scalar, Dimension> p;
     Point<Scalar, Dimension> error;
     for (int axis = 0; axis < Dimension; ++axis) {
-      p[axis] = from_nearer_end(near_start, prepared.scaled, axis, n);
-      error[axis] = from_nearer_end(near_start, prepared.lost, axis, n);
+      p[axis] = scaled(axis, n);
+      error[axis] = lost(axis, n);
     }
     for (int i = 1; i <= n; ++i)
       for (int axis = 0; axis < Dimension; ++axis) {
         const auto product = two_prod<Scalar>(p[axis], ratio.value);
-        const auto sum = two_sum<Scalar>(product.value, from_nearer_end(near_start, prepared.scaled, axis, n - i));
-        const Scalar lost = from_nearer_end(near_start, prepared.lost, axis, n - i);
-        const Scalar local = p[axis] * ratio.error + ((product.error + sum.error) + lost);
+        const auto sum = two_sum<Scalar>(product.value, scaled(axis, n - i));
+        const Scalar local = p[axis] * ratio.error + ((product.error + sum.error) + lost(axis, n - i));
         error[axis] = error[axis] * ratio.value + local;
         p[axis] = sum.value;
       }

@@ -146,7 +146,7 @@ struct CorrectlyRounded {
     else
       each_range_of_axes<Scalar, Dimension>([&]<int First, int Count>() {
         const auto coefficient = [&](const auto& curve, int axis, int i) {
-          return from_nearer_end(from_start, curve, axis, i);
+          return FromNearerEnd(from_start, curve)(axis, i);
         };
         horner<First, Count, Scalar, Dimension>(coefficients, ratio, coefficient, sums);
       });

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "core/evaluate/guarantee.hpp"
-#include "core/evaluate/schemes/triangle_scheme.hpp"
+#include "core/evaluate/schemes/triangle.hpp"
 
 namespace bezierbench {
 

@@ -18,7 +18,7 @@
 
 #include "core/error_free.hpp"
 #include "core/evaluate/guarantee.hpp"
-#include "core/evaluate/schemes/triangle_scheme.hpp"
+#include "core/evaluate/schemes/triangle.hpp"
 #include "core/powers.hpp"
 #include "core/vector/lane_choice.hpp"
 

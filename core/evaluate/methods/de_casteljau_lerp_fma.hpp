@@ -10,7 +10,7 @@
 
 #include "core/error_free.hpp"
 #include "core/evaluate/guarantee.hpp"
-#include "core/evaluate/schemes/triangle_scheme.hpp"
+#include "core/evaluate/schemes/triangle.hpp"
 
 namespace bezierbench {
 

@@ -12,7 +12,7 @@
 
 #include "core/evaluate/guarantee.hpp"
 #include "core/evaluate/schemes/nearer_end.hpp"
-#include "core/evaluate/schemes/triangle_scheme.hpp"
+#include "core/evaluate/schemes/triangle.hpp"
 
 namespace bezierbench {
 
@@ -38,7 +38,7 @@ struct DeCasteljauTwoSided : TakenAsGiven<Form::bernstein> {
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
     const auto near_start = t + t <= Scalar(1);
     const Scalar r = select(near_start, t, Scalar(1) - t);
-    return run_triangle(reversed_unless(near_start, curve), [r](Scalar a, Scalar b) { return a + r * (b - a); });
+    return run_triangle(FromNearerEnd(near_start, curve), [r](Scalar a, Scalar b) { return a + r * (b - a); });
   }
 };
 

@@ -39,6 +39,8 @@ struct Direct : SameForEveryAxis {
       .flops = "4n + d(2n+1)",
       .citation = "[Report 001], section 1.4"};
 
+  static constexpr int largest_fixed_degree = 12;  ///< beyond, the loops over its powers cost little
+
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> curve;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/schemes/steps.hpp"
 
 namespace bezierbench {
 
@@ -28,8 +29,9 @@ struct Horner : TakenAsGiven<Form::power> {
     const int n = curve.degree();
     Point<Scalar, Dimension> p;
     for (int axis = 0; axis < Dimension; ++axis) p[axis] = curve(axis, n);
-    for (int j = n - 1; j >= 0; --j)
+    count_down<Scalar, Degree>(n - 1, [&](int j) {
       for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * t + curve(axis, j);
+    });
     return p;
   }
 };

@@ -21,6 +21,7 @@
 #include "core/bound/amplification.hpp"
 #include "core/evaluate/evaluator.hpp"
 #include "core/evaluate/guarantee.hpp"
+#include "core/evaluate/schemes/steps.hpp"
 #include "core/vector/same_for_every_axis.hpp"
 
 namespace bezierbench {
@@ -42,11 +43,11 @@ struct HornerBernstein : SameForEveryAxis {
       .flops = "n(1+3d) + 1",
       .citation = "[Farin 2002], nested multiplication"};
 
-  static constexpr int largest_fixed_degree = 6;  ///< beyond, its steps take longer than the loop around them
-
   static constexpr std::array guarantees{Guarantee{Property::ends_exact},       Guarantee{Property::reversal, 1},
                                          Guarantee{Property::finite, 1},        Guarantee{Property::scaling_by_two},
                                          Guarantee{Property::axes_independent}, Guarantee{Property::total}};
+
+  static constexpr int largest_fixed_degree = 6;  ///< beyond, its steps take longer than to enter them
 
   /// Column i holds C(n,i) b_i.
   template <class Scalar, int Dimension, int Degree>
@@ -77,10 +78,10 @@ struct HornerBernstein : SameForEveryAxis {
     Point<Scalar, Dimension> p;
     for (int axis = 0; axis < Dimension; ++axis) p[axis] = prepared.scaled(axis, 0);
     Scalar t_power = Scalar(1);
-    for (int i = 1; i <= n; ++i) {
+    count_down<Scalar, Degree>(n - 1, [&](int left) {
       t_power *= t;
-      for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * s + prepared.scaled(axis, i) * t_power;
-    }
+      for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * s + prepared.scaled(axis, n - left) * t_power;
+    });
     return p;
   }
 };

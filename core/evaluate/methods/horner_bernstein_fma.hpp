@@ -49,21 +49,22 @@ struct HornerBernsteinFma : SameForEveryAxis {
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const HornerBernstein::Prepared<Scalar, Dimension, Degree>& prepared,
                                            Scalar t) {
-    return nested<Scalar, Dimension>(prepared.scaled, t);
+    return nested(prepared.scaled, t);
   }
 
   /// The nested multiplication of C(n,i) b_i, in whatever holds them.
-  template <class Scalar, int Dimension, class Coefficients>
-  static Point<Scalar, Dimension> nested(const Coefficients& scaled, const Scalar& t) {
+  template <Form F, class Scalar, int Dimension, int Degree>
+  static Point<Scalar, Dimension> nested(const Curve<F, Scalar, Dimension, Degree>& scaled, const Scalar& t) {
     const int n = scaled.degree();
     const Scalar s = Scalar(1) - t;
     Point<Scalar, Dimension> p;
     for (int axis = 0; axis < Dimension; ++axis) p[axis] = scaled(axis, 0);
     Scalar t_power = Scalar(1);
-    for (int i = 1; i <= n; ++i) {
+    count_down<Scalar, Degree>(n - 1, [&](int left) {
       t_power *= t;
-      for (int axis = 0; axis < Dimension; ++axis) p[axis] = fused<Scalar>(p[axis], s, scaled(axis, i) * t_power);
-    }
+      for (int axis = 0; axis < Dimension; ++axis)
+        p[axis] = fused<Scalar>(p[axis], s, scaled(axis, n - left) * t_power);
+    });
     return p;
   }
 };

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/schemes/steps.hpp"
 
 namespace bezierbench {
 
@@ -30,8 +31,9 @@ struct HornerCentered : TakenAsGiven<Form::power_centered> {
     const Scalar s = t - Scalar(1) / Scalar(2);
     Point<Scalar, Dimension> p;
     for (int axis = 0; axis < Dimension; ++axis) p[axis] = curve(axis, n);
-    for (int j = n - 1; j >= 0; --j)
+    count_down<Scalar, Degree>(n - 1, [&](int j) {
       for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * s + curve(axis, j);
+    });
     return p;
   }
 };

@@ -11,6 +11,7 @@
 #include "core/bound/amplification.hpp"
 #include "core/error_free.hpp"
 #include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/schemes/steps.hpp"
 
 namespace bezierbench {
 
@@ -40,8 +41,9 @@ struct HornerCorrected : TakenAsGiven<Form::power> {
     const int n = curve.degree();
     Point<Scalar, Dimension> p;
     for (int axis = 0; axis < Dimension; ++axis) p[axis] = curve(axis, n);
-    for (int j = n - 1; j > 1; --j)
-      for (int axis = 0; axis < Dimension; ++axis) p[axis] = fused<Scalar>(p[axis], t, curve(axis, j));
+    count_down<Scalar, Degree>(n - 3, [&](int j) {
+      for (int axis = 0; axis < Dimension; ++axis) p[axis] = fused<Scalar>(p[axis], t, curve(axis, j + 2));
+    });
     Point<Scalar, Dimension> correction;
     for (int axis = 0; axis < Dimension; ++axis) {
       const Scalar inner = n > 1 ? add_to(curve(axis, 1), t, p[axis]) : Scalar(0);

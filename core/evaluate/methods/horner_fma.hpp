@@ -8,6 +8,7 @@
 
 #include "core/error_free.hpp"
 #include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/schemes/steps.hpp"
 
 namespace bezierbench {
 
@@ -24,15 +25,16 @@ struct HornerFma : TakenAsGiven<Form::power> {
                                    .flops = "dn fma",
                                    .citation = "[Higham 2002], section 5.1, with fused steps"};
 
-  static constexpr int largest_fixed_degree = 20;  ///< a step is about as short as the loop around it
+  static constexpr int largest_fixed_degree = 12;  ///< beyond, to enter its steps takes no longer than they do
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {
     const int n = curve.degree();
     Point<Scalar, Dimension> p;
     for (int axis = 0; axis < Dimension; ++axis) p[axis] = curve(axis, n);
-    for (int j = n - 1; j >= 0; --j)
+    count_down<Scalar, Degree>(n - 1, [&](int j) {
       for (int axis = 0; axis < Dimension; ++axis) p[axis] = fused<Scalar>(p[axis], t, curve(axis, j));
+    });
     return p;
   }
 };

@@ -126,9 +126,7 @@ struct LocalOrBernstein {
       }
       return p;
     };
-    const auto bernstein = [&prepared](const Scalar& t) {
-      return HornerBernsteinFma::nested<Scalar, Dimension>(prepared.from_start, t);
-    };
+    const auto bernstein = [&prepared](const Scalar& t) { return HornerBernsteinFma::nested(prepared.from_start, t); };
     if (!any_local) return use(bernstein);
     if (all_local && !any_corrected) return use(plain);
     if (all_local) return use(local);

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/schemes/steps.hpp"
 
 namespace bezierbench {
 
@@ -30,10 +31,10 @@ struct PowerSum : TakenAsGiven<Form::power> {
     Point<Scalar, Dimension> sum;
     for (int axis = 0; axis < Dimension; ++axis) sum[axis] = curve(axis, 0);
     Scalar t_power = Scalar(1);
-    for (int j = 1; j <= n; ++j) {
+    count_down<Scalar, Degree>(n - 1, [&](int left) {
       t_power *= t;
-      for (int axis = 0; axis < Dimension; ++axis) sum[axis] += curve(axis, j) * t_power;
-    }
+      for (int axis = 0; axis < Dimension; ++axis) sum[axis] += curve(axis, n - left) * t_power;
+    });
     return sum;
   }
 };

@@ -17,6 +17,7 @@
 #include "core/binomial.hpp"
 #include "core/evaluate/evaluator.hpp"
 #include "core/evaluate/guarantee.hpp"
+#include "core/evaluate/schemes/steps.hpp"
 #include "core/powers.hpp"
 #include "core/vector/same_for_every_axis.hpp"
 
@@ -48,8 +49,6 @@ struct Seiler : SameForEveryAxis {
   static constexpr std::array guarantees{Guarantee{Property::ends_exact},       Guarantee{Property::reversal, 1},
                                          Guarantee{Property::finite, 1},        Guarantee{Property::scaling_by_two},
                                          Guarantee{Property::axes_independent}, Guarantee{Property::total}};
-
-  static constexpr int largest_fixed_degree = 20;  ///< a step is about as short as the loop around it
 
   /// Column j holds s_j.
   template <class Scalar, int Dimension, int Degree>
@@ -117,16 +116,17 @@ struct Seiler : SameForEveryAxis {
       for (int axis = 0; axis < Dimension; ++axis) c[axis] = s(axis, 0);
       return c;
     }
-    int j = (n - 1) / 2;
+    const int middle = (n - 1) / 2;
     for (int axis = 0; axis < Dimension; ++axis) {
-      c[axis] = rest * s(axis, j) + t * s(axis, n - j);
+      c[axis] = rest * s(axis, middle) + t * s(axis, n - middle);
       if (n % 2 == 0) c[axis] = c[axis] + z * s(axis, n / 2);
     }
-    for (--j; j >= 0; --j)
+    count_down<Scalar, Degree>(middle - 1, [&](int j) {
       for (int axis = 0; axis < Dimension; ++axis) {
         const Scalar line = rest * s(axis, j) + t * s(axis, n - j);
         c[axis] = line + z * (c[axis] - line);
       }
+    });
     return c;
   }
 };

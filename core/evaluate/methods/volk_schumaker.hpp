@@ -17,6 +17,7 @@
 #include "core/bound/amplification.hpp"
 #include "core/evaluate/methods/horner_bernstein.hpp"
 #include "core/evaluate/schemes/nearer_end.hpp"
+#include "core/evaluate/schemes/steps.hpp"
 #include "core/vector/same_for_every_axis.hpp"
 #include "core/vector/shared.hpp"
 
@@ -39,7 +40,7 @@ struct VolkSchumaker : SameForEveryAxis {
       .flops = "2dn + d + 2 log2 n + 2",
       .citation = "[Schumaker and Volk 1986]"};
 
-  static constexpr int largest_fixed_degree = 20;  ///< a step is about as short as the loop around it
+  static constexpr int largest_fixed_degree = 12;  ///< beyond, to count from the nearer end costs little
 
   template <class Scalar, int Dimension, int Degree>
   static auto prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
@@ -57,10 +58,12 @@ struct VolkSchumaker : SameForEveryAxis {
     const auto near_start = x + x <= Parameter(1);
     const Parameter larger = select(near_start, s, x);
     const Scalar r(select(near_start, x, s) / larger);
+    const FromNearerEnd from_end(near_start, c);
     Point<Scalar, Dimension> p;
-    for (int axis = 0; axis < Dimension; ++axis) p[axis] = from_nearer_end(near_start, c, axis, n);
-    for (int i = 1; i <= n; ++i)
-      for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * r + from_nearer_end(near_start, c, axis, n - i);
+    for (int axis = 0; axis < Dimension; ++axis) p[axis] = from_end(axis, n);
+    count_down<Scalar, Degree>(n - 1, [&](int i) {
+      for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * r + from_end(axis, i);
+    });
     const Scalar scale(integer_power(larger, n));
     for (int axis = 0; axis < Dimension; ++axis) p[axis] *= scale;
     return p;

@@ -16,6 +16,7 @@
 
 #include "core/binomial.hpp"
 #include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/schemes/steps.hpp"
 #include "core/powers.hpp"
 
 namespace bezierbench {
@@ -83,12 +84,13 @@ struct WangBall {
     Point<Scalar, Dimension> c;
     for (int axis = 0; axis < Dimension; ++axis)
       c[axis] = n % 2 == 0 ? v(axis, n / 2) : Scalar(s * v(axis, n / 2) + t * v(axis, n / 2 + 1));
-    for (int i = (n + 1) / 2 - 1 - n % 2; i >= 0; --i)
+    count_down<Scalar, Degree>((n + 1) / 2 - 1 - n % 2, [&](int i) {
       for (int axis = 0; axis < Dimension; ++axis) {
         const Scalar a = s * v(axis, i) + t * c[axis];
         const Scalar b = s * c[axis] + t * v(axis, n - i);
         c[axis] = s * a + t * b;
       }
+    });
     return c;
   }
 };

@@ -9,18 +9,17 @@ namespace bezierbench {
 namespace {
 
 /// The coefficients of one coordinate as a curve.
-template <class Scalar>
+template <class ScalarT>
 struct OneAxis {
+  using Scalar = ScalarT;
+  static constexpr int dimension = 1;
+  static constexpr int fixed_degree = dynamic;
+
   [[nodiscard]] int degree() const { return coefficients.degree; }
   [[nodiscard]] Scalar operator()(int /*axis*/, int i) const { return coefficients[i]; }
 
   CoordinateView<Scalar> coefficients;
 };
-
-template <class Scalar>
-Scalar from_nearer_end(bool from_start, const OneAxis<Scalar>& curve, int axis, int i) {
-  return curve(axis, from_start ? i : curve.degree() - i);
-}
 
 template <class Scalar>
 struct OneAxisPairs {

@@ -4,28 +4,36 @@
 // each of its lanes.
 #pragma once
 
+#include <concepts>
+
 #include "core/evaluate/evaluator.hpp"
 #include "core/vector/lane_choice.hpp"
 
 namespace bezierbench {
 
-/// Coefficient i of an axis from the start, or from the other end.
-template <class Scalar, int Dimension, int Degree>
-Scalar from_nearer_end(bool from_start, const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, int axis,
-                       int i) {
-  return curve(axis, from_start ? i : curve.degree() - i);
-}
+/// A view of a curve with its coefficients counted from the start where `from_start` holds, else from the other end.
+template <class Choice, class CurveT>
+class FromNearerEnd {
+ public:
+  using Scalar = typename CurveT::Scalar;
+  static constexpr int dimension = CurveT::dimension;
+  static constexpr int fixed_degree = CurveT::fixed_degree;
 
-/// The curve, or the curve with its control points in reverse order.
-template <class Scalar, int Dimension, int Degree>
-Curve<Form::bernstein, Scalar, Dimension, Degree> reversed_unless(
-    bool from_start, const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
-  if (from_start) return curve;
-  Curve<Form::bernstein, Scalar, Dimension, Degree> backwards(curve.degree());
-  for (int i = 0; i <= curve.degree(); ++i)
-    for (int axis = 0; axis < Dimension; ++axis) backwards(axis, i) = from_nearer_end(from_start, curve, axis, i);
-  return backwards;
-}
+  [[gnu::always_inline]] FromNearerEnd(const Choice& from_start, const CurveT& curve)
+      : from_start_(from_start), curve_(curve) {}
+
+  [[nodiscard, gnu::always_inline]] int degree() const { return curve_.degree(); }
+  [[nodiscard, gnu::always_inline]] Scalar operator()(int axis, int i) const {
+    if constexpr (std::same_as<Choice, bool>)
+      return curve_(axis, from_start_ ? i : curve_.degree() - i);
+    else
+      return select(from_start_, curve_(axis, i), curve_(axis, curve_.degree() - i));
+  }
+
+ private:
+  Choice from_start_;
+  const CurveT& curve_;
+};
 
 /// The curve with its control points in reverse order.
 template <class Scalar, int Dimension, int Degree>

@@ -12,6 +12,8 @@
 #include <cstring>
 #include <utility>
 
+#include "core/evaluate/schemes/steps.hpp"
+#include "core/evaluate/schemes/triangle.hpp"
 #include "core/vector/lane_choice.hpp"
 
 #if defined(__GNUC__) && !defined(__clang__)
@@ -196,5 +198,10 @@ class Axes : public detail::SharedByAxes<ScalarT, held> {
 
   Vector vector_;
 };
+
+template <class Scalar, int Dimension>
+inline constexpr bool writes_out_steps<Axes<Scalar, Dimension>> = true;
+template <class Scalar, int Dimension>
+inline constexpr TriangleOrder triangle_order<Axes<Scalar, Dimension>>{.width = 4, .ends_in_registers = true};
 
 }  // namespace bezierbench

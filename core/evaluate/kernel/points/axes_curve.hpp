@@ -19,6 +19,7 @@ class Curve<F, Axes<S, DimensionT>, 1, DegreeT> {
   using Scalar = Axes<S, DimensionT>;
   static constexpr Form form = F;
   static constexpr int dimension = 1;
+  static constexpr int fixed_degree = DegreeT;
 
   Curve(const S* first, int degree) : first_(first), degree_(degree) {}
 
@@ -145,30 +146,6 @@ Curve<F, Axes<S, Dimension>, 1, Degree> chosen(bool is_first, const Curve<F, Axe
                                                const Curve<F, Axes<S, Dimension>, 1, Degree>& second) {
   const S* const places[] = {second.data(), first.data()};
   return {places[is_first ? 1 : 0], first.degree()};
-}
-
-/// A curve with its control points counted from either end.
-template <class S, int DimensionT, int DegreeT>
-class AxesFromEitherEnd {
- public:
-  AxesFromEitherEnd(bool from_start, const Curve<Form::bernstein, Axes<S, DimensionT>, 1, DegreeT>& curve)
-      : from_start_(from_start), first_(curve.data()), degree_(curve.degree()) {}
-
-  [[nodiscard]] int degree() const { return DegreeT == dynamic ? degree_ : DegreeT; }
-  [[nodiscard]] Axes<S, DimensionT> operator()(int /*axis*/, int i) const {
-    return Axes<S, DimensionT>::load(first_ + static_cast<std::ptrdiff_t>(from_start_ ? i : degree() - i) * DimensionT);
-  }
-
- private:
-  bool from_start_;
-  const S* first_;
-  int degree_;
-};
-
-template <class S, int Dimension, int Degree>
-AxesFromEitherEnd<S, Dimension, Degree> reversed_unless(
-    bool from_start, const Curve<Form::bernstein, Axes<S, Dimension>, 1, Degree>& curve) {
-  return {from_start, curve};
 }
 
 /// Room for the coefficients of a curve.

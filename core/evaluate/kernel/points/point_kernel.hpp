@@ -14,7 +14,6 @@
 #include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/evaluate/kernel/points/along_curve.hpp"
 #include "core/evaluate/kernel/points/axes_curve.hpp"
-#include "core/evaluate/kernel/points/axes_triangle.hpp"
 
 namespace bezierbench::instantiate {
 
@@ -29,11 +28,11 @@ concept SideBySide = requires(const PreparedOf<E, S, Dimension>& state) {
 #define BEZIERBENCH_LARGEST_FIXED_DEGREE max_degree
 #endif
 
-/// The largest degree with a kernel of its own: what the method says (-1: none), else 20 for a triangle, whose values
-/// then stay in registers, and 12 for other methods, beyond which the loop over the degree costs little.
+/// The largest degree with a kernel of its own: what the method says (-1: none), else 8. Beyond, the code for every
+/// degree takes no more than a sixth longer.
 template <class E>
 constexpr int largest_fixed_degree() {
-  int largest = E::info.cost_exponent > 1 ? 20 : 12;
+  int largest = 8;
   if constexpr (requires { E::largest_fixed_degree; }) largest = E::largest_fixed_degree;
   return std::min(largest, BEZIERBENCH_LARGEST_FIXED_DEGREE);
 }
