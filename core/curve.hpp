@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cassert>
+#include <tuple>
 
 #include "core/curve_view.hpp"
 
@@ -70,6 +71,7 @@ class Curve<Form::power_double_double, ScalarT, DimensionT, DegreeT> {
   explicit Curve(int degree) : high(degree), low(degree) {}
 
   [[nodiscard]] int degree() const { return high.degree(); }
+  [[nodiscard]] auto parts() const { return std::tie(high, low); }
 
   Part high;
   Part low;
@@ -86,6 +88,7 @@ class Curve<Form::rational, ScalarT, DimensionT, DegreeT> {
   explicit Curve(int degree) : points(degree), weights(per_coefficient<ScalarT, DegreeT>(degree)) {}
 
   [[nodiscard]] int degree() const { return points.degree(); }
+  [[nodiscard]] auto parts() const { return std::tie(points, weights); }
 
   Curve<Form::bernstein, ScalarT, DimensionT, DegreeT> points;
   PerCoefficient<ScalarT, DegreeT> weights;

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 #include <type_traits>
 
 #include "core/batch/roster.hpp"
 #include "core/batch/targets.hpp"
+#include "core/evaluate/kernel/parts.hpp"
 
 namespace bezierbench::batch {
 namespace {
@@ -35,68 +35,36 @@ constexpr std::array<Target, 0> all_targets{};
 /// Points of rational curves whose homogeneous coordinates lie between two steps, in the first cache.
 constexpr std::size_t points_between = 128;
 
-template <class Scalar>
-using ReadParts = Parts<Scalar> (*)(const void* prepared);
+using ReadParts = Parts (*)(const void* prepared);
 
-/// An evaluator of the roster, its place there, and for each dimension the function that reads its prepared state.
-template <class Scalar>
+template <class State>
+Parts read_parts(const void* prepared) {
+  return parts_of(*static_cast<const State*>(prepared));
+}
+
+/// An evaluator with batch kernels, and for each dimension the function that reads its prepared state.
 struct Known {
   const MethodInfo* evaluator;
   const MethodInfo* rational;  ///< the same evaluator for rational curves; null where there is none
-  std::size_t family;
-  std::size_t place;  ///< in the family
-  std::array<ReadParts<Scalar>, max_dimension + 1> parts;
+  std::array<ReadParts, max_dimension + 1> parts;
 };
 
-template <class Scalar, class Prepared>
-Parts<Scalar> parts_of(const void* prepared) {
-  const auto& state = *static_cast<const Prepared*>(prepared);
-  if constexpr (requires { state.rounding; })
-    return {state.scaled.degree(), state.scaled.data(), state.lost.data(), state.given.data(), state.rounding.data()};
-  else if constexpr (requires { state.high; })
-    return {state.degree(), state.high.data(), state.low.data()};
-  else if constexpr (requires { state.nodes; })
-    return {state.values.degree(), state.values.data(), state.nodes.data(), state.weights.data()};
-  else if constexpr (requires { state.parts(); })
-    return std::apply(
-        [](const auto& curve, const auto&... further) {
-          return Parts<Scalar>{curve.degree(), curve.data(), further.data()...};
-        },
-        state.parts());
-  else if constexpr (requires { state.weights; })
-    return {state.degree(), state.points.data(), state.weights.data()};
-  else
-    return {state.degree(), state.data()};
-}
-
-template <class Scalar, class Entry>
-constexpr Known<Scalar> known(std::size_t family, std::size_t place) {
-  using E = typename Entry::Evaluator;
-  static_assert(std::is_same_v<PreparedOf<E, Scalar, 2>, typename Entry::State::template Prepared<Scalar, 2, dynamic>>);
-  Known<Scalar> result{&E::info,
-                       nullptr,
-                       family,
-                       place,
-                       {parts_of<Scalar, PreparedOf<E, Scalar, 1>>, parts_of<Scalar, PreparedOf<E, Scalar, 2>>,
-                        parts_of<Scalar, PreparedOf<E, Scalar, 3>>, nullptr}};
+template <class Scalar, class E>
+constexpr Known known() {
+  Known result{&E::info,
+               nullptr,
+               {read_parts<PreparedOf<E, Scalar, 1>>, read_parts<PreparedOf<E, Scalar, 2>>,
+                read_parts<PreparedOf<E, Scalar, 3>>, nullptr}};
   if constexpr (takes_rational<E>) {
     result.rational = &Homogeneous<E>::info;
-    result.parts[max_dimension] = parts_of<Scalar, PreparedOf<E, Scalar, max_dimension + 1>>;
+    result.parts[max_dimension] = read_parts<PreparedOf<E, Scalar, max_dimension + 1>>;
   }
   return result;
 }
 
-template <class Scalar, class... Entries>
-void append(std::vector<Known<Scalar>>& all, std::size_t family, TypeList<Entries...> /*entries*/) {
-  std::size_t place = 0;
-  (all.push_back(known<Scalar, Entries>(family, place++)), ...);
-}
-
-template <class Scalar, class... Family>
-std::vector<Known<Scalar>> all_known(TypeList<Family...> /*families*/) {
-  std::vector<Known<Scalar>> all;
-  std::size_t family = 0;
-  (append<Scalar>(all, family++, EntriesOf<Family>()), ...);
+template <class Scalar, class... Es>
+std::span<const Known> all_known(TypeList<Es...> /*evaluators*/) {
+  static constexpr std::array all{known<Scalar, Es>()...};
   return all;
 }
 
@@ -152,16 +120,16 @@ template struct BatchKernel<double>;
 
 template <class Scalar>
 BatchKernel<Scalar> find(const Target& target, const Kernel<Scalar>& kernel) {
-  static const auto all = all_known<Scalar>(Families());
+  const auto all = all_known<Scalar>(OneCurve());
   const auto& table = table_of<Scalar>(target);
-  for (const auto& entry : all) {
+  for (std::size_t place = 0; place < all.size(); ++place) {
+    const Known& entry = all[place];
     const bool is_rational = entry.rational != nullptr && entry.rational == kernel.evaluator;
     if (entry.evaluator != kernel.evaluator && !is_rational) continue;
-    const auto& family = *table.families[entry.family];
-    if (entry.place >= family.count) return {};
+    const TargetKernels<Scalar>* unit = *table.units[place % units];
     const auto dimension = static_cast<std::size_t>(kernel.dimension) - (is_rational ? 0 : 1);
-    return {entry.parts[dimension], family.kernels[entry.place].by_dimension[dimension],
-            is_rational ? table.divide : nullptr, kernel.dimension};
+    return {entry.parts[dimension], unit[place / units].by_dimension[dimension], is_rational ? table.divide : nullptr,
+            kernel.dimension};
   }
   return {};
 }
@@ -171,12 +139,12 @@ template BatchKernel<double> find(const Target&, const Kernel<double>&);
 
 template <class Scalar>
 GroupKernel<Scalar> find_group(const Target& target, const Kernel<Scalar>& kernel) {
-  const auto evaluators = infos_of(typename Concatenated<UnfusedOfGroups, FusedOfGroups>::Type());
+  const auto evaluators = infos_of(ManyCurves());
   const auto conversions = infos_of(ConversionsOfGroups());
   const auto& table = *table_of<Scalar>(target).group;
   const auto dimension = static_cast<std::size_t>(kernel.dimension) - 1;
   GroupKernel<Scalar> found;
-  for (std::size_t k = 0; k < table.evaluator_count; ++k)
+  for (std::size_t k = 0; k < evaluators.size(); ++k)
     if (evaluators[k] == kernel.evaluator) found.evaluate = table.evaluators[k].by_dimension[dimension];
   for (std::size_t k = 0; k < conversions.size(); ++k)
     if (conversions[k] == kernel.conversion) found.convert = table.conversions[k].by_dimension[dimension];

@@ -44,7 +44,7 @@ WorksOfWidths<Scalar> works_of(const Target& target);
 /// A kernel for a target; `evaluate` is null where there is none.
 template <class Scalar>
 struct BatchKernel {
-  Parts<Scalar> (*parts)(const void* prepared) = nullptr;
+  Parts (*parts)(const void* prepared) = nullptr;
   Evaluate<Scalar> evaluate = nullptr;
   Divide<Scalar> divide = nullptr;  ///< not null where `evaluate` writes homogeneous coordinates of rational curves
   int dimension = 0;                ///< of the points
@@ -56,8 +56,7 @@ struct BatchKernel {
   void operator()(const void* prepared, std::span<const Scalar> t, Scalar* points) const;
 };
 
-/// The batch kernel that gives the same bits as `kernel`, if there is one: an evaluator needs a line in the roster, a
-/// fused one also a target with fused multiply-add in hardware.
+/// The batch kernel that gives the same bits as `kernel`, if there is one: its evaluator needs a member `lanes`.
 template <class Scalar>
 BatchKernel<Scalar> find(const Target& target, const Kernel<Scalar>& kernel);
 

@@ -3,7 +3,7 @@
 // compiled for.
 #pragma once
 
-#include "core/batch/lane_triangle.hpp"
+#include "core/batch/lane_curve.hpp"
 #include "core/batch/roster.hpp"
 #include "core/batch/target_table.hpp"
 #include "core/batch/targets.hpp"
@@ -77,15 +77,7 @@ inline constexpr typename GroupTable<S>::Conversions group_conversions[sizeof...
 
 template <class S, class... Es, class... Cs>
 constexpr GroupTable<S> group_table_of(TypeList<Es...> /*evaluators*/, TypeList<Cs...> /*conversions*/) {
-  return {group_evaluators<S, Es...>, sizeof...(Es), group_conversions<S, Cs...>};
-}
-
-template <class S>
-constexpr GroupTable<S> group_table() {
-  if constexpr (HWY_NATIVE_FMA != 0)
-    return group_table_of<S>(typename Concatenated<UnfusedOfGroups, FusedOfGroups>::Type(), ConversionsOfGroups());
-  else
-    return group_table_of<S>(UnfusedOfGroups(), ConversionsOfGroups());
+  return {group_evaluators<S, Es...>, group_conversions<S, Cs...>};
 }
 
 }  // namespace bezierbench::batch::HWY_NAMESPACE
@@ -93,6 +85,7 @@ constexpr GroupTable<S> group_table() {
 namespace bezierbench::batch {
 
 template <class Target, class Scalar>
-constinit const GroupTable<Scalar> GroupsOf<Target, Scalar>::table = HWY_NAMESPACE::group_table<Scalar>();
+constinit const GroupTable<Scalar> GroupsOf<Target, Scalar>::table =
+    HWY_NAMESPACE::group_table_of<Scalar>(ManyCurves(), ConversionsOfGroups());
 
 }  // namespace bezierbench::batch

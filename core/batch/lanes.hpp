@@ -71,7 +71,7 @@ class Same {
 enum class Curves { one, each };
 
 /// `Count` vectors of scalars, for steps that do not wait for each other.
-template <class ScalarT, int Count, Curves = Curves::one>
+template <class ScalarT, int Count, Curves Which = Curves::one>
 class Lanes {
  public:
   using Scalar = ScalarT;
@@ -79,6 +79,8 @@ class Lanes {
   using Tag = hn::ScalableTag<Scalar>;
   using Vector = hn::Vec<Tag>;
   using Mask = LaneMask<Scalar, Count>;
+  static constexpr int axes = 1;
+  static constexpr bool reads_curves = Which == Curves::one;
   static constexpr std::size_t per_vector = HWY_LANES(Scalar);
   static constexpr std::size_t size = per_vector * Count;
 
@@ -91,6 +93,8 @@ class Lanes {
   template <std::integral Whole>
   HWY_INLINE explicit Lanes(Whole value) : Lanes(static_cast<Scalar>(value)) {}
   HWY_INLINE Lanes(const Shared& value) : Lanes(value.value()) {}  // NOLINT(google-explicit-constructor): as a double
+  /// A coordinate that all lanes share.
+  static HWY_INLINE Lanes read(const Scalar* coordinate) { return Lanes(*coordinate); }
   /// Reads `size` values.
   static HWY_INLINE Lanes load(const Scalar* values) {
     return each([&](int k) { return hn::LoadU(Tag(), values + static_cast<std::size_t>(k) * per_vector); });

@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 OWN_NAMESPACE = re.compile(r"\bN_[A-Z0-9_]+::")  # Highway's name of a target
-TABLE = re.compile(r"^bezierbench::batch::(Family|Groups|Table|Works)Of<.*>::table$")  # data, one per target
+TABLE = re.compile(r"^bezierbench::batch::(Unit|Groups|Table|Works)Of<.*>::table$")  # data, one per target
 NUMBERS = re.compile(r"^bezierbench::detail::binomial_table<")  # computed by the compiler, the same for every target
 COMPILERS_OWN = re.compile(r"^(DW\.ref\.|__asan|__odr_asan|__ubsan|\.L)")
 

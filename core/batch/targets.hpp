@@ -14,10 +14,10 @@ struct Neon;
 // Each of the following is data, instantiated in a translation unit of its own that is compiled for the target
 // (targets/*.in); nothing that it points to may be called on a lesser processor.
 
-/// The kernels of a family of evaluators.
-template <class Target, class Family, class Scalar>
-struct FamilyOf {
-  static const FamilyTable<Scalar> table;
+/// The kernels of the evaluators that a unit has.
+template <class Target, int Unit, class Scalar>
+struct UnitOf {
+  static const TargetKernels<Scalar>* const table;
 };
 
 /// The kernels for many curves.

@@ -9,6 +9,8 @@
 #include "core/curve.hpp"
 #include "core/method.hpp"
 #include "core/vector/same_for_every_axis.hpp"
+#include "core/vector/shared.hpp"
+#include "core/vector/view.hpp"
 
 namespace bezierbench {
 
@@ -46,16 +48,42 @@ void with_evaluation(const Prepared& prepared, const Use& use) {
     use([&prepared](const auto& t) { return E::evaluate(prepared, t); });
 }
 
-template <class Scalar, int Degree>
-struct PreparedRowType {
-  using Type = PerCoefficient<Scalar, Degree>;
+namespace detail {
+
+template <class Scalar, class Number, int Degree>
+struct RowType {
+  using Type = PerCoefficient<Number, Degree>;
+};
+template <ReadsCurves V, class Number, int Degree>
+struct RowType<V, Number, Degree> {
+  using Type = Row<V>;
 };
 
-/// One value per coefficient in a prepared state: a row, or a view of one where a scalar is the axes of a point.
-template <class Scalar, int Degree>
-using PreparedRow = typename PreparedRowType<Scalar, Degree>::Type;
+}  // namespace detail
 
-/// A copy of coefficients, or of values that belong to them, which a method may overwrite.
+/// One value per coefficient in a prepared state: a row, or a view of one.
+template <class Scalar, int Degree>
+using PreparedRow = typename detail::RowType<Scalar, Scalar, Degree>::Type;
+
+/// A row of values that all curves of a degree share, or a view of one.
+template <class Scalar, int Degree>
+using SharedRow = typename detail::RowType<Scalar, SharedBy<Scalar>, Degree>::Type;
+
+/// How many vectors an evaluator keeps in registers where a scalar is many lanes: for each axis of a point, and in
+/// addition to those. From these follows how many vectors of points go side by side. An evaluator with kernels for lanes has a member
+/// `lanes` of this type. The numbers may be understated on purpose: where divisions or memory take the time, and for
+/// Horner-Bernstein, whose t and 1-t are only read and may come from memory (a tenth faster on AVX2).
+struct LaneRegisters {
+  int per_axis;
+  int shared;
+  /// Degrees from 2 to this have kernels of their own, for one curve. Each degree takes a second to compile.
+  int largest_fixed_degree = 0;
+  /// True without kernels for many curves: where lanes that are left undecided come back to the curve, which all lanes
+  /// share, or where curves have weights or are prepared in ways that groups are not.
+  bool one_curve_only = false;
+};
+
+/// A copy of a curve, which a method may overwrite.
 template <Form F, class Scalar, int Dimension, int Degree>
 Curve<F, Scalar, Dimension, computed_degree<Degree>> working_copy(const Curve<F, Scalar, Dimension, Degree>& curve) {
   Curve<F, Scalar, Dimension, computed_degree<Degree>> copy(curve.degree());
@@ -63,9 +91,12 @@ Curve<F, Scalar, Dimension, computed_degree<Degree>> working_copy(const Curve<F,
     for (int axis = 0; axis < Dimension; ++axis) copy(axis, i) = curve(axis, i);
   return copy;
 }
-template <int Degree, class Scalar>
-PerCoefficient<Scalar, Degree> working_copy(const PerCoefficient<Scalar, Degree>& row, int /*degree*/) {
-  return row;
+template <Form F, ReadsCurves V, int Dimension, int Degree>
+CopyOfView<V, Dimension, Degree> working_copy(const Curve<F, V, Dimension, Degree>& curve) {
+  CopyOfView<V, Dimension, Degree> copy;
+  for (int i = 0; i <= curve.degree(); ++i)
+    for (int axis = 0; axis < Dimension; ++axis) copy(axis, i) = curve(axis, i);
+  return copy;
 }
 
 }  // namespace bezierbench

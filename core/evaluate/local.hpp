@@ -106,6 +106,9 @@ requires(Method::info.form == Form::bernstein) struct Local : FixedDegreesOf<Met
                                     .unit_interval_only = true,
                                     .result_roundings = 1};
   static constexpr MethodInfo info = detail::local_info<Method, detail::LocalFlops>(bound);
+  /// Each lane of a sum chooses between two coefficients.
+  static constexpr LaneRegisters lanes =
+      info.cost_exponent > 1 ? Method::lanes : LaneRegisters{.per_axis = 1, .shared = 3};
 
   static constexpr std::array guarantees{Guarantee{Property::ends_exact},     Guarantee{Property::constant_reproduced},
                                          Guarantee{Property::in_hull, 1},     Guarantee{Property::monotone, 1},
@@ -165,6 +168,7 @@ requires(Via<Converter, Method>::counts_from_start()) struct Local<Via<Converter
     return local;
   }
   static constexpr MethodInfo info = detail::local_info<Path, detail::LocalFlopsByPower>(bound());
+  static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 3};
 
   static constexpr auto kept() {
     constexpr std::array of_all{Guarantee{Property::ends_exact},       Guarantee{Property::constant_reproduced},

@@ -33,9 +33,9 @@ class OffsetCurve {
     high_.resize(Dimension, n + 1);
     low_.resize(Dimension, n + 1);
     const Coordinates factor(scale);
-    const Coordinates from = -(Coordinates::load(point.data()) * factor);
+    const Coordinates from = -(Coordinates::read(point.data()) * factor);
     for (int i = 0; i <= n; ++i) {
-      const Coordinates here = Coordinates::load(curve.data() + Dimension * i) * factor;
+      const Coordinates here = Coordinates::read(curve.data() + Dimension * i) * factor;
       set_column<Dimension>(scaled, i, here);
       const auto difference = two_sum(here, from);
       set_column<Dimension>(high_, i, difference.value);

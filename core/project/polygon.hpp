@@ -54,7 +54,7 @@ int degree_of(const Polygon<Dimension, Points>& b) {
 /// element by element.
 template <int Dimension, int Points>
 Axes<double, Dimension> column(const Polygon<Dimension, Points>& b, Eigen::Index i) {
-  return Axes<double, Dimension>::load(b.data() + Dimension * i);
+  return Axes<double, Dimension>::read(b.data() + Dimension * i);
 }
 template <int Dimension, int Points>
 void set_column(Polygon<Dimension, Points>& b, Eigen::Index i, const Axes<double, Dimension>& coordinates) {

@@ -7,7 +7,7 @@
 
 #include "core/convert/roster.hpp"
 #include "core/evaluate/kernel/kernel_of.hpp"
-#include "core/evaluate/kernel/points/point_families.hpp"
+#include "core/evaluate/kernel/points/point_units.hpp"
 #include "core/evaluate/roster.hpp"
 #include "core/evaluate/via.hpp"
 

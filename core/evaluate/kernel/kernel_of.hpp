@@ -25,7 +25,7 @@ void fill(const CurveView<Scalar>& view, Curve<F, Scalar, Dimension>& curve) {
     using Coefficient = Axes<Scalar, Dimension>;
     const Scalar* from = view.coefficients.data();
     Scalar* to = &curve(0, 0);
-    for (int i = 0; i <= view.degree; ++i) Coefficient::load(from + i * Dimension).store(to + i * Dimension);
+    for (int i = 0; i <= view.degree; ++i) Coefficient::read(from + i * Dimension).store(to + i * Dimension);
   }
 }
 

@@ -37,6 +37,7 @@ struct BarycentricChebyshev {
                                    .citation =
                                        "[Berrut and Trefethen 2004], eq. (4.2); [Fuda et al. 2024], "
                                        "CHE"};
+  static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 2, .one_curve_only = true};
 
   template <class Scalar, int Dimension, int Degree>
   static Barycentric<Scalar, Dimension, Degree> prepare(

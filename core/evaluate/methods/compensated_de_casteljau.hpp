@@ -29,6 +29,7 @@ struct KFoldDeCasteljau : TakenAsGiven<Form::bernstein> {
       .flops = detail::for_parts<K>("18d n(n+1)/2 + 7d + 6", "59d n(n+1)/2 + 26d + 6", "130d n(n+1)/2 + 57d + 6"),
       .cost_exponent = 2,
       .citation = K == 2 ? "[Jiang et al. 2010], Theorem 5" : "[Hermes 2019], Algorithm 4.2 and section 4.2"};
+  static constexpr LaneRegisters lanes{.per_axis = 0, .shared = K == 2 ? 12 : 16};
 
   /// Beyond, its steps take longer than the loops around them.
   static constexpr int largest_fixed_degree = K == 2 ? 3 : 1;

@@ -28,6 +28,7 @@ struct CompensatedHorner : TakenAsGiven<Form::power> {
                                                        .result_roundings = 1},
                                    .flops = "11dn + d",
                                    .citation = "[Graillat et al. 2009]"};
+  static constexpr LaneRegisters lanes{.per_axis = 2, .shared = 3};
 
   static constexpr int largest_fixed_degree = 2;  ///< beyond, its steps take longer than the loop around them
 

@@ -85,6 +85,7 @@ struct CompensatedVolkSchumaker : SameForEveryAxis {
                           .result_roundings = 1},
       .flops = "14dn + 7d + 12 log2 n + 12",
       .citation = "[Delgado and Pena 2016]; [Schumaker and Volk 1986]"};
+  static constexpr LaneRegisters lanes{.per_axis = 2, .shared = 6};
 
   static constexpr int largest_fixed_degree = 6;  ///< beyond, its steps take longer than the loop around them
 

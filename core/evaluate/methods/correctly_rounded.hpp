@@ -50,6 +50,7 @@ struct CorrectlyRounded {
                           .result_roundings = 1},
       .flops = "10dn + 10d + 8 log2 n + 12",
       .citation = "[Schumaker and Volk 1986]; [Graillat et al. 2009]; [de Dinechin et al. 2013]; bound derived here"};
+  static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 6, .one_curve_only = true};
 
   static constexpr std::array guarantees{
       Guarantee{Property::ends_exact},       Guarantee{Property::constant_reproduced},

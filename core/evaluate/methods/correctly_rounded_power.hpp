@@ -38,6 +38,7 @@ struct CorrectlyRoundedPower {
                                                        .result_roundings = 1},
                                    .flops = "9dn + 10d",
                                    .citation = "[Graillat et al. 2009]; [de Dinechin et al. 2013]; bound derived here"};
+  static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 5, .one_curve_only = true};
 
   template <class Scalar, int Dimension, int Degree>
   using Prepared = RoundedState<Form::power, Scalar, Dimension, Degree>;

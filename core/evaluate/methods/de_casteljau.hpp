@@ -25,6 +25,7 @@ struct DeCasteljau : TakenAsGiven<Form::bernstein> {
                                    .flops = "3d n(n+1)/2 + 1",
                                    .cost_exponent = 2,
                                    .citation = "[Farin 2002]; [Report 001], section 1.5"};
+  static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 6};
 
   static constexpr std::array guarantees{Guarantee{Property::ends_exact},       Guarantee{Property::reversal},
                                          Guarantee{Property::finite},           Guarantee{Property::scaling_by_two},

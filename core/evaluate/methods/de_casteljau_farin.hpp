@@ -15,6 +15,7 @@
 #include <array>
 
 #include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/schemes/triangle.hpp"
 
 namespace bezierbench {
 
@@ -37,25 +38,18 @@ template <class Scalar, std::size_t Size>
 template <class Scalar, int Dimension, int Degree>
 Point<Scalar, Dimension> run_weighted_triangle(const Curve<Form::rational, Scalar, Dimension, Degree>& curve,
                                                const Scalar& t) {
-  const int n = curve.degree();
   const Scalar s = Scalar(1) - t;
   constexpr auto size = static_cast<std::size_t>(Dimension) + 1;
-  auto b = working_copy(curve.points);
-  auto w = working_copy<Degree>(curve.weights, n);
-  const auto load = [&](int i) {
+  const auto in = [&curve](int i) {
     std::array<Scalar, size> values;
-    for (int axis = 0; axis < Dimension; ++axis) values[static_cast<std::size_t>(axis)] = b(axis, i);
-    values[size - 1] = w[i];
+    for (int axis = 0; axis < Dimension; ++axis) values[static_cast<std::size_t>(axis)] = curve.points(axis, i);
+    values[size - 1] = curve.weights[i];
     return values;
   };
-  for (int k = 1; k <= n; ++k)
-    for (int i = 0; i <= n - k; ++i) {
-      const auto next = weighted_step<Scalar>(load(i), load(i + 1), s, t);
-      for (int axis = 0; axis < Dimension; ++axis) b(axis, i) = next[static_cast<std::size_t>(axis)];
-      w[i] = next[size - 1];
-    }
+  const auto step = [&](const auto& a, const auto& b) { return weighted_step<Scalar>(a, b, s, t); };
+  const auto top = detail::apex_in_memory<size, Scalar>(curve.degree(), in, step);
   Point<Scalar, Dimension> point;
-  for (int axis = 0; axis < Dimension; ++axis) point[axis] = b(axis, 0);
+  for (int axis = 0; axis < Dimension; ++axis) point[axis] = top[static_cast<std::size_t>(axis)];
   return point;
 }
 
@@ -74,6 +68,7 @@ struct DeCasteljauFarin : TakenAsGiven<Form::rational> {
                                    .flops = "(5+3d) n(n+1)/2 + 1, n(n+1) of them divisions",
                                    .cost_exponent = 2,
                                    .citation = "[Farin 1983]"};
+  static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 8, .one_curve_only = true};
 
   static constexpr int largest_fixed_degree = 3;  ///< beyond, its divisions take longer than the loops around them
 

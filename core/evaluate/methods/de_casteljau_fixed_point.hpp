@@ -53,6 +53,19 @@ class FixedPointFrame {
   std::array<Scalar, static_cast<std::size_t>(fixed_point_values* stride)> values_;
 };
 
+template <ReadsCurves V, int Dimension>
+class FixedPointFrame<V, Dimension> {
+ public:
+  explicit FixedPointFrame(const typename V::Scalar* first) : first_(first) {}
+  [[nodiscard, gnu::always_inline]] V operator()(int axis, FixedPointValue value) const {
+    constexpr int stride = FixedPointFrame<typename V::Scalar, Dimension * V::axes>::stride;
+    return V::read(first_ + static_cast<int>(value) * stride + axis);
+  }
+
+ private:
+  const typename V::Scalar* first_;
+};
+
 struct DeCasteljauFixedPoint {
   static constexpr MethodInfo info{.id = "de_casteljau_fixed_point",
                                    .label = "de Casteljau, fixed point",
@@ -61,6 +74,7 @@ struct DeCasteljauFixedPoint {
                                    .flops = "1 sub + 1 fma, d (n(n+1)/2 + 1) times",
                                    .cost_exponent = 2,
                                    .citation = "[Rump et al. 2008], section 3, for the offset; bound derived here"};
+  static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 6, .one_curve_only = true};
 
   static constexpr std::array guarantees{Guarantee{Property::ends_exact},
                                          Guarantee{Property::constant_reproduced},

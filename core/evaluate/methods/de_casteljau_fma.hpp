@@ -31,6 +31,7 @@ struct DeCasteljauFma : TakenAsGiven<Form::bernstein> {
                                    .flops = "2 fma, d n(n+1)/2 times",
                                    .cost_exponent = 2,
                                    .citation = "[Farin 2002], with fused linear interpolation; bound derived here"};
+  static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 6};
 
   static constexpr std::array guarantees{Guarantee{Property::ends_exact}, Guarantee{Property::finite},
                                          Guarantee{Property::scaling_by_two}, Guarantee{Property::axes_independent},

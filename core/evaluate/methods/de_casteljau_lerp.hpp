@@ -20,6 +20,7 @@ struct DeCasteljauLerp : TakenAsGiven<Form::bernstein> {
                                    .flops = "3d n(n+1)/2",
                                    .cost_exponent = 2,
                                    .citation = "[Document 004]"};
+  static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 6};
 
   static constexpr std::array guarantees{Guarantee{Property::constant_reproduced}, Guarantee{Property::monotone, 1},
                                          Guarantee{Property::scaling_by_two}, Guarantee{Property::axes_independent},

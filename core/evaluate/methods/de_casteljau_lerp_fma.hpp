@@ -21,6 +21,7 @@ struct DeCasteljauLerpFma : TakenAsGiven<Form::bernstein> {
                                    .flops = "1 sub + 1 fma, d n(n+1)/2 times",
                                    .cost_exponent = 2,
                                    .citation = "[Document 004], with fused linear interpolation"};
+  static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 6, .largest_fixed_degree = 12};
 
   static constexpr std::array guarantees{Guarantee{Property::constant_reproduced}, Guarantee{Property::monotone, 1},
                                          Guarantee{Property::scaling_by_two}, Guarantee{Property::axes_independent},

@@ -28,6 +28,7 @@ struct DeCasteljauTwoSided : TakenAsGiven<Form::bernstein> {
                                    .flops = "3d n(n+1)/2 + 1",
                                    .cost_exponent = 2,
                                    .citation = "[Farin 2002], with two-sided linear interpolation; bound derived here"};
+  static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 6};
 
   static constexpr std::array guarantees{Guarantee{Property::ends_exact},     Guarantee{Property::constant_reproduced},
                                          Guarantee{Property::in_hull},        Guarantee{Property::monotone, 1},

@@ -38,13 +38,14 @@ struct Direct : SameForEveryAxis {
       .one_minus_t = OneMinusT::summed,
       .flops = "4n + d(2n+1)",
       .citation = "[Report 001], section 1.4"};
+  static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 2};
 
   static constexpr int largest_fixed_degree = 12;  ///< beyond, the loops over its powers cost little
 
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> curve;
-    PreparedRow<SharedBy<Scalar>, Degree> binomial;
+    SharedRow<Scalar, Degree> binomial;
 
     [[nodiscard]] auto parts() const { return std::tie(curve, binomial); }
   };

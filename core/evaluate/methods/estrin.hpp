@@ -8,7 +8,10 @@
 // Fails: as any power form, when its coefficients came out of a rounded conversion.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <cstddef>
 
 #include "core/bound/amplification.hpp"
 #include "core/evaluate/evaluator.hpp"
@@ -29,33 +32,14 @@ template <int Size, class Scalar, class Coefficient>
   }
 }
 
-/// Joins the last whole block of `Size` coefficients, if there is one that no larger block holds, with `rest`, what is
-/// joined of the coefficients behind it.
-template <int Size, class Scalar, class Coefficient>
-[[gnu::always_inline]] inline void join_block(int count, const Coefficient& q, const Scalar* powers, Scalar& rest) {
-  if ((count & Size) == 0) return;
-  const Scalar block = joined_block<Size>(q, count & ~(2 * Size - 1), powers);
-  rest = count % Size == 0 ? block : Scalar(block + rest * powers[std::bit_width(static_cast<unsigned>(Size)) - 1]);
-}
-
-/// The coefficients q(0), ..., q(count - 1) joined. `count` is a sum of powers of two, and Estrin's levels join a block of
-/// each with what is joined of the smaller ones behind it. Blocks of up to sixteen are written out; of larger ones two
-/// halves are joined as soon as both are there. The operands are those of the levels, and so are the bits.
+/// Joins at least 32 coefficients: blocks of sixteen, two halves of a larger block as soon as both are there, and
+/// `rest`, what is joined of the count % 16 coefficients behind them. powers[k] is t^(2^k).
 template <class Scalar, class Coefficient>
-[[gnu::always_inline]] inline Scalar joined(int count, const Coefficient& q, const Scalar& t) {
+[[gnu::always_inline]] inline Scalar joined_blocks(int count, const Coefficient& q,
+                                                   const std::array<Scalar, 5>& first_powers, Scalar rest) {
   constexpr int most = std::bit_width(static_cast<unsigned>(max_degree + 1));
   Scalar powers[most];
-  powers[0] = t;
-  for (int k = 0; k < 4; ++k) powers[k + 1] = count > 2 << k ? Scalar(powers[k] * powers[k]) : powers[k];
-  Scalar rest = q(count - 1);
-  join_block<2>(count, q, powers, rest);
-  join_block<4>(count, q, powers, rest);
-  join_block<8>(count, q, powers, rest);
-  if (count < 16) return rest;
-  if (count < 32) {
-    join_block<16>(count, q, powers, rest);
-    return rest;
-  }
+  std::copy(first_powers.begin(), first_powers.end(), powers);
   for (int k = 5; 1 << k < count; ++k) powers[k] = powers[k - 1] * powers[k - 1];
   Scalar blocks[most];  // the k-th of 2^k coefficients
   for (int first = 0; first + 16 <= count; first += 16) {
@@ -66,6 +50,30 @@ template <class Scalar, class Coefficient>
   }
   for (int k = 4; count >> k != 0; ++k)
     if ((count >> k & 1) != 0) rest = count % (1 << k) == 0 ? blocks[k] : Scalar(blocks[k] + rest * powers[k]);
+  return rest;
+}
+
+/// The coefficients q(0), ..., q(count - 1) joined. `count` is a sum of powers of two, and Estrin's levels join a block
+/// of each with what is joined of the smaller ones behind it, which is `rest` for those below 2^K. powers[k] is t^(2^k).
+/// The operands are those of the levels, and so are the bits.
+template <std::size_t K, class Scalar, class Coefficient>
+[[gnu::always_inline]] inline Scalar joined(int count, const Coefficient& q, const std::array<Scalar, K + 1>& powers,
+                                            Scalar rest) {
+  constexpr int size = 1 << K;
+  if constexpr (size == 16)
+    if (count >= 2 * size) return joined_blocks(count, q, powers, rest);
+  if ((count & size) != 0) {
+    const Scalar block = joined_block<size>(q, count & ~(2 * size - 1), powers.data());
+    rest = count % size == 0 ? block : Scalar(block + rest * powers[K]);
+  }
+  if constexpr (size < 16)
+    if (count >= 2 * size) {
+      if (count == 2 * size) return joined_block<2 * size>(q, 0, powers.data());
+      std::array<Scalar, K + 2> more;
+      for (std::size_t k = 0; k <= K; ++k) more[k] = powers[k];
+      more[K + 1] = powers[K] * powers[K];
+      return joined<K + 1>(count, q, more, rest);
+    }
   return rest;
 }
 
@@ -90,13 +98,16 @@ struct Estrin : TakenAsGiven<Form::power> {
                           .growth = [](int n) { return n + 1.0; }},
       .flops = "2dn + log2 n",
       .citation = "[Estrin 1960]"};
+  static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 3};
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {
+    const int n = curve.degree();
     Point<Scalar, Dimension> p;
-    for (int axis = 0; axis < Dimension; ++axis)
-      p[axis] = detail::joined(
-          curve.degree() + 1, [&](int i) { return curve(axis, i); }, t);
+    for (int axis = 0; axis < Dimension; ++axis) {
+      const auto q = [&curve, axis](int i) { return curve(axis, i); };
+      p[axis] = detail::joined<0>(n + 1, q, std::array<Scalar, 1>{t}, q(n));
+    }
     return p;
   }
 };

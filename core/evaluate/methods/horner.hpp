@@ -23,6 +23,7 @@ struct Horner : TakenAsGiven<Form::power> {
                                                        .constant_roundings = 1},
                                    .flops = "2dn",
                                    .citation = "[Higham 2002], section 5.1"};
+  static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 1};
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {

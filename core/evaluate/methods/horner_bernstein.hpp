@@ -42,6 +42,7 @@ struct HornerBernstein : SameForEveryAxis {
       .one_minus_t = OneMinusT::summed,
       .flops = "n(1+3d) + 1",
       .citation = "[Farin 2002], nested multiplication"};
+  static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 1};
 
   static constexpr std::array guarantees{Guarantee{Property::ends_exact},       Guarantee{Property::reversal, 1},
                                          Guarantee{Property::finite, 1},        Guarantee{Property::scaling_by_two},

@@ -33,6 +33,7 @@ struct HornerBernsteinFma : SameForEveryAxis {
       .one_minus_t = OneMinusT::summed,
       .flops = "n(1+d) + dn fma + 1",
       .citation = "[Farin 2002], nested multiplication, with fused steps"};
+  static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 1};
 
   static constexpr std::array guarantees{Guarantee{Property::ends_exact}, Guarantee{Property::finite, 1},
                                          Guarantee{Property::scaling_by_two}, Guarantee{Property::axes_independent},

@@ -23,6 +23,7 @@ struct HornerCentered : TakenAsGiven<Form::power_centered> {
                                                        .growth = [](int n) { return n + 1.0; }},
                                    .flops = "2dn + 1",
                                    .citation = "[Higham 2002], section 5.1; bound derived here"};
+  static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 1};
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power_centered, Scalar, Dimension, Degree>& curve,

@@ -28,6 +28,7 @@ struct HornerCorrected : TakenAsGiven<Form::power> {
                                                        .constant_roundings = 1 + 0x1p-20},
                                    .flops = "d(n+3) fma + 3d",
                                    .citation = "[Boldo and Muller 2011], the error of a fused multiply-add"};
+  static constexpr LaneRegisters lanes{.per_axis = 2, .shared = 1};
 
   /// The point as horner_fma has it, and the correction that is added to it.
   template <class Scalar, int Dimension>

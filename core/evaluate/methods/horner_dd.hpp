@@ -32,6 +32,7 @@ struct HornerDoubleDouble : TakenAsGiven<Form::power_double_double> {
                                                        .result_roundings = 1},
                                    .flops = "12dn + d",
                                    .citation = "[Graillat et al. 2009], on double-double coefficients"};
+  static constexpr LaneRegisters lanes{.per_axis = 2, .shared = 3};
 
   static constexpr int largest_fixed_degree = 2;  ///< beyond, its steps take longer than the loop around them
 

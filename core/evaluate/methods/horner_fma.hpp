@@ -24,6 +24,7 @@ struct HornerFma : TakenAsGiven<Form::power> {
                                                        .constant_roundings = 1},
                                    .flops = "dn fma",
                                    .citation = "[Higham 2002], section 5.1, with fused steps"};
+  static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 1};
 
   static constexpr int largest_fixed_degree = 12;  ///< beyond, to enter its steps takes no longer than they do
 

@@ -59,6 +59,7 @@ struct LocalOrBernstein {
       .flops = "dn fma + 1, d(n+3) fma + 3d + 1, or n(1+d) + dn fma + 1",
       .prepare_exponent = 2,
       .citation = "[Farin 2002], nested multiplication, with fused steps; bound derived here"};
+  static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 3};
 
   static constexpr std::array guarantees{Guarantee{Property::ends_exact}, Guarantee{Property::constant_reproduced},
                                          Guarantee{Property::in_hull, 1}, Guarantee{Property::monotone, 1},

@@ -24,6 +24,7 @@ struct PowerSum : TakenAsGiven<Form::power> {
                                                        .growth = [](int n) { return n + 1.0; }},
                                    .flops = "n + 2dn",
                                    .citation = "[Report 001], section 1.3"};
+  static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 2};
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {

@@ -45,6 +45,7 @@ struct Seiler : SameForEveryAxis {
       .flops = "3dn + 2, d fewer for even n",
       .prepare_exponent = 2,
       .citation = "[Lin et al. 2021]; [Yuksel 2024]; [Sanchez-Reyes 1997], for higher degrees"};
+  static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 3};
 
   static constexpr std::array guarantees{Guarantee{Property::ends_exact},       Guarantee{Property::reversal, 1},
                                          Guarantee{Property::finite, 1},        Guarantee{Property::scaling_by_two},

@@ -39,6 +39,7 @@ struct VolkSchumaker : SameForEveryAxis {
       .one_minus_t = OneMinusT::summed,
       .flops = "2dn + d + 2 log2 n + 2",
       .citation = "[Schumaker and Volk 1986]"};
+  static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 2};
 
   static constexpr int largest_fixed_degree = 12;  ///< beyond, to count from the nearer end costs little
 

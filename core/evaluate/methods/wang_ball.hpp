@@ -29,6 +29,7 @@ struct WangBall {
                                    .flops = "9dn/2 + 1",
                                    .prepare_exponent = 2,
                                    .citation = "[Wang 1987]; [Phien and Dejdumrong 2000]; [Fuda et al. 2024], RWB"};
+  static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 3};
 
   /// Column i holds v_i.
   template <class Scalar, int Dimension, int Degree>

@@ -19,6 +19,7 @@ struct WoznyChudy : TakenAsGiven<Form::bernstein> {
                                    .one_minus_t = OneMinusT::normalised,
                                    .flops = "n(5+3d) + 2, n + 1 of them divisions",
                                    .citation = "[Wozny and Chudy 2020], Algorithm 1.1"};
+  static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 3};
 
   static constexpr int largest_fixed_degree = 6;  ///< beyond, its steps take longer than the loop around them
 

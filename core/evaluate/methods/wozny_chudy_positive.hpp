@@ -27,6 +27,7 @@ struct WoznyChudyPositive : TakenAsGiven<Form::bernstein> {
       .one_minus_t = OneMinusT::normalised,
       .flops = "n(6+3d) + 2, 2n + 1 of them divisions",
       .citation = "[Wozny and Chudy 2020], remark on the weights"};
+  static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 3};
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {

@@ -22,6 +22,7 @@ struct WoznyChudyRational {
                                    .one_minus_t = OneMinusT::normalised,
                                    .flops = "n(5+3d) + 2, n + 1 of them divisions",
                                    .citation = "[Wozny and Chudy 2020], rational curves"};
+  static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 3, .one_curve_only = true};
 
   static constexpr int largest_fixed_degree = 6;  ///< beyond, its steps take longer than the loop around them
 

@@ -17,6 +17,7 @@
 
 #include "core/evaluate/evaluator.hpp"
 #include "core/evaluate/schemes/compensated_parts.hpp"
+#include "core/evaluate/schemes/triangle.hpp"
 
 namespace bezierbench {
 
@@ -87,31 +88,18 @@ template <std::size_t K, class Scalar>
 template <std::size_t K, class Scalar, int Dimension, int Degree>
 Point<Scalar, Dimension> run_compensated_triangle(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve,
                                                   const Scalar& t) {
-  const int n = curve.degree();
   const auto s = two_sum<Scalar>(Scalar(1), -t);
-  constexpr int parts = static_cast<int>(K);
-  Curve<Form::bernstein, Scalar, parts * Dimension, Degree> b(n);  // the parts of an axis lie side by side
-  const auto load = [&b](int axis, int i) {
-    std::array<Scalar, K> values;
-    for (int part = 0; part < parts; ++part) values[static_cast<std::size_t>(part)] = b(parts * axis + part, i);
-    return values;
-  };
-  const auto store = [&b](int axis, int i, const std::array<Scalar, K>& values) {
-    for (int part = 0; part < parts; ++part) b(parts * axis + part, i) = values[static_cast<std::size_t>(part)];
-  };
-  for (int i = 0; i <= n; ++i)
-    for (int axis = 0; axis < Dimension; ++axis) {
-      // Part by part: of an array with braces GCC 12 writes the zeros in smaller pieces than they are read in, which a
-      // processor cannot forward from a store to a load.
-      b(parts * axis, i) = curve(axis, i);
-      for (int part = 1; part < parts; ++part) b(parts * axis + part, i) = Scalar(0);
-    }
-  for (int k = 1; k <= n; ++k)
-    for (int i = 0; i <= n - k; ++i)
-      for (int axis = 0; axis < Dimension; ++axis)
-        store(axis, i, compensated_step<K, Scalar>(load(axis, i), load(axis, i + 1), s, t));
+  const auto step = [&](const auto& a, const auto& b) { return compensated_step<K, Scalar>(a, b, s, t); };
   Point<Scalar, Dimension> point;
-  for (int axis = 0; axis < Dimension; ++axis) point[axis] = sum_of_parts(load(axis, 0));
+  for (int axis = 0; axis < Dimension; ++axis) {
+    const auto in = [&](int i) {
+      std::array<Scalar, K> parts;
+      parts[0] = curve(axis, i);
+      for (std::size_t part = 1; part < K; ++part) parts[part] = Scalar(0);
+      return parts;
+    };
+    point[axis] = sum_of_parts(detail::apex_in_memory<K, Scalar>(curve.degree(), in, step));
+  }
   return point;
 }
 

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "core/error_free.hpp"
@@ -167,16 +169,25 @@ Scalar settled_by_p_tilde(const AxisState<Scalar>& axis, Scalar t, Form form);
 template <class Scalar>
 Scalar settled(const AxisState<Scalar>& axis, Scalar t, Form form);
 
-/// What is prepared: the coefficients of the pair, and all that is required where it does not decide.
+/// What is prepared: the coefficients of the pair, and all that is required where it does not decide; or a view of it
+/// for lanes, of which those that are left undecided are settled one by one.
 template <Form F, class Scalar, int Dimension, int Degree>
 struct RoundedState {
   using Coefficients = Curve<F, Scalar, Dimension, Degree>;
+  using Number = typename NumberOf<Scalar>::Type;
+  using Roundings = std::conditional_t<ReadsCurves<Scalar>, const AxisRounding<Number>*,
+                                       std::array<AxisRounding<Number>, static_cast<std::size_t>(Dimension)>>;
+  static constexpr bool by_axis = true;  ///< the axes of a point are not evaluated side by side
 
   explicit RoundedState(int degree) : scaled(degree), lost(F == Form::bernstein ? degree : 0), given(degree) {}
+  [[gnu::always_inline]] RoundedState(const Coefficients& scaled_curve, const Coefficients& lost_curve,
+                                      const Coefficients& given_curve, const Roundings& of_axes)
+      : scaled(scaled_curve), lost(lost_curve), given(given_curve), rounding(of_axes) {}
 
-  [[nodiscard]] AxisState<Scalar> axis(int a) const {
+  [[nodiscard]] auto parts() const { return std::tie(scaled, lost, given, rounding); }
+  [[nodiscard, gnu::always_inline]] AxisState<Number> axis(int a) const {
     const auto view = [a](const Coefficients& curve) {
-      return CoordinateView<Scalar>{curve.data() + a, Dimension, curve.degree()};
+      return CoordinateView<Number>{curve.data() + a, Dimension, curve.degree()};
     };
     return {view(scaled), view(lost), view(given), rounding[static_cast<std::size_t>(a)]};
   }
@@ -184,7 +195,7 @@ struct RoundedState {
   Coefficients scaled;  ///< times a power of two; in Bernstein form also times C(n,i), rounded
   Coefficients lost;    ///< in Bernstein form, the error of this rounding
   Coefficients given;
-  std::array<AxisRounding<Scalar>, static_cast<std::size_t>(Dimension)> rounding;
+  Roundings rounding;
 };
 
 /// The point of evaluator E: by its pairs where they decide.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <concepts>
+#include <type_traits>
 
 #include "core/evaluate/evaluator.hpp"
 #include "core/vector/lane_choice.hpp"
@@ -31,7 +32,8 @@ class FromNearerEnd {
   }
 
  private:
-  Choice from_start_;
+  // A mask of lanes is not copied: compilers do so in pieces of a few bytes.
+  std::conditional_t<std::same_as<Choice, bool>, bool, const Choice&> from_start_;
   const CurveT& curve_;
 };
 

@@ -10,6 +10,8 @@
 // with t or the rounded 1-t; docs/proofs/de_casteljau.md has the proof.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <utility>
 
 #include "core/evaluate/evaluator.hpp"
@@ -45,18 +47,29 @@ template <class Scalar, class In, class Step, int... Level>
   return b[0];
 }
 
-/// Moves `Width` consecutive values up through the levels of a sweep.
-template <int Width, class Scalar, class Step, int... Level>
-[[gnu::always_inline]] inline void pass([[maybe_unused]] Scalar* newest, [[maybe_unused]] Scalar* x, const Step& step,
-                                        std::integer_sequence<int, Level...> /*levels*/) {
-  (
-      [&] {
-        const Scalar last = x[Width - 1];
-        for (int k = Width - 1; k > 0; --k) x[k] = step(x[k - 1], x[k]);
-        x[0] = step(newest[Level], x[0]);
-        newest[Level] = last;
-      }(),
-      ...);
+/// Moves x up by one level of a sweep.
+template <class Scalar, class Step>
+[[gnu::always_inline]] inline void move_up(Scalar& newest, Scalar& x, const Step& step) {
+  const Scalar y = step(newest, x);
+  newest = x;
+  x = y;
+}
+
+/// Moves x up through the levels of a sweep.
+template <class Scalar, class Step, int... Level>
+[[gnu::always_inline]] inline Scalar pass([[maybe_unused]] Scalar* newest, Scalar x, [[maybe_unused]] const Step& step,
+                                          std::integer_sequence<int, Level...> /*levels*/) {
+  (move_up(newest[Level], x, step), ...);
+  return x;
+}
+
+/// Moves `Width` consecutive values up by one level.
+template <int Width, class Scalar, class Step>
+[[gnu::always_inline]] inline void pass_together(Scalar& newest, Scalar* x, const Step& step) {
+  const Scalar last = x[Width - 1];
+  for (int k = Width - 1; k > 0; --k) x[k] = step(x[k - 1], x[k]);
+  x[0] = step(newest, x[0]);
+  newest = last;
 }
 
 /// in(0), ..., in(count - 1) are the values of one level; out(i, b_i) takes those of the level so many further on.
@@ -66,25 +79,16 @@ template <class Scalar, class In, class Step, class Out, int... Level>
   constexpr int levels = sizeof...(Level);
   constexpr int width = triangle_order<Scalar>.width;
   Scalar newest[levels];
-  (
-      [&] {
-        newest[Level] = in(Level);
-        pass<1>(newest, &newest[Level], step, std::make_integer_sequence<int, Level>());
-      }(),
-      ...);
+  ((newest[Level] = pass(newest, in(Level), step, std::make_integer_sequence<int, Level>())), ...);
   int i = levels;
   if constexpr (width > 1)
     for (; i + width <= count; i += width) {
       Scalar x[width];
       for (int k = 0; k < width; ++k) x[k] = in(i + k);
-      pass<width>(newest, x, step, all);
+      (pass_together<width>(newest[Level], x, step), ...);
       for (int k = 0; k < width; ++k) out(i + k - levels, x[k]);
     }
-  for (; i < count; ++i) {
-    Scalar x = in(i);
-    pass<1>(newest, &x, step, all);
-    out(i - levels, x);
-  }
+  for (; i < count; ++i) out(i - levels, pass(newest, in(i), step, all));
 }
 
 /// A sweep over at most four of the n levels that are left; returns how many are left then.
@@ -124,6 +128,34 @@ template <class Scalar, class In, class Step>
     n = sweep<Scalar>(n, in, step, write);
     while (n > 0) n = sweep<Scalar>(n, read, step, write);
   }
+  return b[0];
+}
+
+/// Room for one value of `Size` numbers per coefficient.
+template <std::size_t Size, class Scalar>
+class ManyNumbers {
+ public:
+  [[nodiscard, gnu::always_inline]] std::array<Scalar, Size> operator[](int i) const {
+    std::array<Scalar, Size> value;
+    for (std::size_t k = 0; k < Size; ++k) value[k] = numbers_[static_cast<std::size_t>(i) * Size + k];
+    return value;
+  }
+  [[gnu::always_inline]] void set(int i, const std::array<Scalar, Size>& value) {
+    for (std::size_t k = 0; k < Size; ++k) numbers_[static_cast<std::size_t>(i) * Size + k] = value[k];
+  }
+
+ private:
+  Scalar numbers_[(max_degree + 1) * Size];
+};
+
+/// The top of a triangle over values that are several numbers each, whose steps take far longer than to load and to
+/// store them: level by level, in memory. The steps of a level do not wait for each other.
+template <std::size_t Size, class Scalar, class In, class Step>
+[[gnu::always_inline]] inline std::array<Scalar, Size> apex_in_memory(int n, const In& in, const Step& step) {
+  ManyNumbers<Size, Scalar> b;
+  for (int i = 0; i <= n; ++i) b.set(i, in(i));
+  for (int count = n; count > 0; --count)
+    for (int i = 0; i < count; ++i) b.set(i, step(b[i], b[i + 1]));
   return b[0];
 }
 

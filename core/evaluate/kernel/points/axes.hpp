@@ -95,7 +95,8 @@ template <class ScalarT, int Dimension, Held held = Held::by_reference>
 class Axes : public detail::SharedByAxes<ScalarT, held> {
  public:
   using Scalar = ScalarT;
-  static constexpr int dimension = Dimension;
+  static constexpr int axes = Dimension;
+  static constexpr bool reads_curves = held == Held::by_reference;
   static constexpr int lanes = detail::lanes_for<Scalar>(Dimension);
   using Vector = typename detail::VectorType<Scalar, lanes>::Type;
 
@@ -129,7 +130,7 @@ class Axes : public detail::SharedByAxes<ScalarT, held> {
   explicit Axes(Integer value) : Axes(static_cast<Scalar>(value)) {}
 
   /// Reads `Dimension` values.
-  static Axes load(const Scalar* values) { return load(values, std::make_integer_sequence<int, lanes>()); }
+  static Axes read(const Scalar* values) { return read(values, std::make_integer_sequence<int, lanes>()); }
   /// Reads a value for each lane.
   static Axes load_all(const Scalar* values) {
     Axes result;
@@ -192,7 +193,7 @@ class Axes : public detail::SharedByAxes<ScalarT, held> {
     return of(__builtin_shufflevector(a.vector_, b.vector_, (Lane + 1)...));
   }
   template <int... Lane>
-  static Axes load(const Scalar* values, std::integer_sequence<int, Lane...> /*all*/) {
+  static Axes read(const Scalar* values, std::integer_sequence<int, Lane...> /*all*/) {
     return of(Vector{(Lane < Dimension ? values[Lane] : Scalar(0))...});
   }
 

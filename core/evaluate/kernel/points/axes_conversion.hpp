@@ -23,7 +23,7 @@ class Curve<F, Axes<S, DimensionT, Held::by_value>, 1, viewed> {
 
   [[nodiscard]] int degree() const { return degree_; }
   [[nodiscard]] Scalar operator()(int /*axis*/, int i) const {
-    return Scalar::load(first_ + static_cast<std::ptrdiff_t>(i) * DimensionT);
+    return Scalar::read(first_ + static_cast<std::ptrdiff_t>(i) * DimensionT);
   }
 
  private:
@@ -43,7 +43,7 @@ template <Form F, int Dimension, int Degree, class Scalar>
 Curve<F, Axes<Scalar, Dimension, Held::by_value>, 1, Degree> axes_of_degree(const CurveView<Scalar>& view) {
   using Coefficient = Axes<Scalar, Dimension, Held::by_value>;
   Curve<F, Coefficient, 1, Degree> curve(Degree);
-  for (int i = 0; i <= Degree; ++i) curve(0, i) = Coefficient::load(view.coefficients.data() + i * Dimension);
+  for (int i = 0; i <= Degree; ++i) curve(0, i) = Coefficient::read(view.coefficients.data() + i * Dimension);
   return curve;
 }
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/evaluate/kernel/kernel_of.hpp"
+#include "core/evaluate/kernel/parts.hpp"
 #include "core/evaluate/kernel/points/along_curve.hpp"
 #include "core/evaluate/kernel/points/axes_curve.hpp"
 
@@ -19,8 +20,8 @@ namespace bezierbench::instantiate {
 
 /// An evaluator whose prepared state can be read with all axes of a coefficient at once.
 template <class E, class S, int Dimension>
-concept SideBySide = requires(const PreparedOf<E, S, Dimension>& state) {
-  as_axes<dynamic>(state);
+concept SideBySide = detail::is_viewed<PreparedOf<E, S, Dimension>> && !requires {
+  PreparedOf<E, S, Dimension>::by_axis;
 };
 
 // CMakePresets.json lowers it for sanitizers, under which a unit would compile for minutes.
@@ -40,8 +41,9 @@ constexpr int largest_fixed_degree() {
 /// All axes side by side, the degree fixed or dynamic.
 template <class E, class S, int Dimension, int Degree>
 [[gnu::flatten]] void evaluate_side_by_side(const void* prepared, std::span<const S> t, S* points) {
-  const auto view = as_axes<Degree>(*static_cast<const PreparedOf<E, S, Dimension>*>(prepared));
-  using A = typename AxesOf<std::remove_const_t<decltype(view)>>::Type;
+  using State = PreparedOf<E, S, Dimension>;
+  using A = Axes<S, detail::dimension_of<State>>;
+  const auto view = viewed_as<State, A, Degree>(parts_of(*static_cast<const State*>(prepared)));
   with_evaluation<E>(view, [t, points](const auto& point_at) {
     S* next = points;
     for (const S at : t) {

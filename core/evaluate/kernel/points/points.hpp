@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Defines the functions of a family of evaluators; included by the units that instantiate them.
+// Defines the functions of a unit; included by the units that instantiate them.
 #pragma once
 
 #include <array>
 
-#include "core/evaluate/kernel/points/point_families.hpp"
 #include "core/evaluate/kernel/points/point_kernel.hpp"
+#include "core/evaluate/kernel/points/point_units.hpp"
 
 namespace bezierbench::instantiate {
 
@@ -15,9 +15,9 @@ std::span<const EvaluateFor<Scalar>> evaluate_functions(TypeList<Es...> /*evalua
   return table;
 }
 
-template <class Scalar, int Dimension, KernelFamily F>
-std::span<const EvaluateFor<Scalar>> family_table() {
-  return evaluate_functions<Scalar, Dimension>(typename Members<F>::Type());
+template <class Scalar, int Dimension, int Unit>
+std::span<const EvaluateFor<Scalar>> unit_table() {
+  return evaluate_functions<Scalar, Dimension>(Dealt<Unit, point_units, Evaluators>());
 }
 
 }  // namespace bezierbench::instantiate

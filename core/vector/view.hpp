@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Views of what a method prepared for one curve, for a scalar that stands for several numbers: a coefficient is read as
+// one such scalar. Nothing is copied.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <tuple>
+
+#include "core/vector/same_for_every_axis.hpp"
+
+namespace bezierbench {
+
+/// A scalar that reads curves of plain numbers. `V::axes` is the number of axes of a point that it holds, `V::read`
+/// makes it of as many coordinates, and `V(value)` has the same value in all lanes.
+template <class V>
+concept ReadsCurves = requires(const typename V::Scalar* coordinates) {
+  requires V::reads_curves;
+  { V::read(coordinates) } -> std::same_as<V>;
+  V::axes;
+};
+
+/// A view of one curve. Its `DimensionT` counts the scalars that a point has.
+template <Form F, ReadsCurves V, int DimensionT, int DegreeT>
+class Curve<F, V, DimensionT, DegreeT> {
+ public:
+  using Scalar = V;
+  using Number = typename V::Scalar;
+  static constexpr Form form = F;
+  static constexpr int dimension = DimensionT;
+  static constexpr int fixed_degree = DegreeT;
+
+  [[gnu::always_inline]] Curve(const Number* first, int degree) : first_(first), degree_(degree) {}
+
+  [[nodiscard, gnu::always_inline]] int degree() const { return DegreeT == dynamic ? degree_ : DegreeT; }
+  [[nodiscard, gnu::always_inline]] V operator()(int axis, int i) const {
+    return V::read(first_ + static_cast<std::ptrdiff_t>(i * DimensionT + axis) * V::axes);
+  }
+  [[nodiscard, gnu::always_inline]] const Number* data() const { return first_; }
+
+ private:
+  const Number* first_;
+  int degree_;
+};
+
+/// Room for the coefficients of a view.
+template <ReadsCurves V, int Dimension, int Degree>
+class CopyOfView {
+ public:
+  [[nodiscard, gnu::always_inline]] V& operator()(int axis, int i) { return values_[i * Dimension + axis]; }
+
+ private:
+  V values_[((Degree == dynamic ? max_degree : Degree) + 1) * Dimension];
+};
+
+/// A view of values that belong to the coefficients and are the same on all axes.
+template <ReadsCurves V>
+class Row {
+ public:
+  [[gnu::always_inline]] explicit Row(const typename V::Scalar* first) : first_(first) {}
+  [[nodiscard, gnu::always_inline]] V operator[](int i) const { return V(first_[i]); }
+  [[nodiscard, gnu::always_inline]] const typename V::Scalar* data() const { return first_; }
+
+ private:
+  const typename V::Scalar* first_;
+};
+
+template <ReadsCurves V, int DimensionT, int DegreeT>
+class Curve<Form::power_double_double, V, DimensionT, DegreeT> {
+ public:
+  using Scalar = V;
+  using Part = Curve<Form::power, V, DimensionT, DegreeT>;
+
+  [[nodiscard, gnu::always_inline]] int degree() const { return high.degree(); }
+
+  Part high;
+  Part low;
+};
+
+template <ReadsCurves V, int DimensionT, int DegreeT>
+class Curve<Form::rational, V, DimensionT, DegreeT> {
+ public:
+  using Scalar = V;
+
+  [[nodiscard, gnu::always_inline]] int degree() const { return points.degree(); }
+
+  Curve<Form::bernstein, V, DimensionT, DegreeT> points;
+  Row<V> weights;
+};
+
+}  // namespace bezierbench
