@@ -70,9 +70,9 @@ template <class Scalar, int Degree>
 using SharedRow = typename detail::RowType<Scalar, SharedBy<Scalar>, Degree>::Type;
 
 /// How many vectors an evaluator keeps in registers where a scalar is many lanes: for each axis of a point, and in
-/// addition to those. From these follows how many vectors of points go side by side. An evaluator with kernels for lanes has a member
-/// `lanes` of this type. The numbers may be understated on purpose: where divisions or memory take the time, and for
-/// Horner-Bernstein, whose t and 1-t are only read and may come from memory (a tenth faster on AVX2).
+/// addition to those. From these follows how many vectors of points go side by side. An evaluator with kernels for
+/// lanes has a member `lanes` of this type. The numbers may be understated on purpose: where divisions or memory take
+/// the time, and for Horner-Bernstein, whose t and 1-t are only read and may come from memory (a tenth faster on AVX2).
 struct LaneRegisters {
   int per_axis;
   int shared;

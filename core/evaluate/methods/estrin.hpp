@@ -54,8 +54,8 @@ template <class Scalar, class Coefficient>
 }
 
 /// The coefficients q(0), ..., q(count - 1) joined. `count` is a sum of powers of two, and Estrin's levels join a block
-/// of each with what is joined of the smaller ones behind it, which is `rest` for those below 2^K. powers[k] is t^(2^k).
-/// The operands are those of the levels, and so are the bits.
+/// of each with what is joined of the smaller ones behind it, which is `rest` for those below 2^K. powers[k] is
+/// t^(2^k). The operands are those of the levels, and so are the bits.
 template <std::size_t K, class Scalar, class Coefficient>
 [[gnu::always_inline]] inline Scalar joined(int count, const Coefficient& q, const std::array<Scalar, K + 1>& powers,
                                             Scalar rest) {
