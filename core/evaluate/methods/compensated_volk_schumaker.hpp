@@ -23,6 +23,7 @@
 #include "core/evaluate/methods/horner_bernstein.hpp"
 #include "core/evaluate/methods/volk_schumaker.hpp"
 #include "core/evaluate/schemes/nearer_end.hpp"
+#include "core/evaluate/schemes/steps.hpp"
 #include "core/powers.hpp"
 #include "core/vector/same_for_every_axis.hpp"
 
@@ -87,7 +88,7 @@ struct CompensatedVolkSchumaker : SameForEveryAxis {
       .citation = "[Delgado and Pena 2016]; [Schumaker and Volk 1986]"};
   static constexpr LaneRegisters lanes{.per_axis = 2, .shared = 6};
 
-  static constexpr int largest_fixed_degree = 6;  ///< beyond, its steps take longer than the loop around them
+  static constexpr int largest_fixed_degree = 12;  ///< beyond, its steps take longer than the loop around them
 
   /// Columns i hold C(n,i) b_i, rounded, and the error of this rounding.
   template <class Scalar, int Dimension, int Degree>
@@ -139,14 +140,15 @@ struct CompensatedVolkSchumaker : SameForEveryAxis {
       p[axis] = scaled(axis, n);
       error[axis] = lost(axis, n);
     }
-    for (int i = 1; i <= n; ++i)
+    count_down<Scalar, Degree>(n - 1, [&](int i) {
       for (int axis = 0; axis < Dimension; ++axis) {
         const auto product = two_prod<Scalar>(p[axis], ratio.value);
-        const auto sum = two_sum<Scalar>(product.value, scaled(axis, n - i));
-        const Scalar local = p[axis] * ratio.error + ((product.error + sum.error) + lost(axis, n - i));
+        const auto sum = two_sum<Scalar>(product.value, scaled(axis, i));
+        const Scalar local = p[axis] * ratio.error + ((product.error + sum.error) + lost(axis, i));
         error[axis] = error[axis] * ratio.value + local;
         p[axis] = sum.value;
       }
+    });
     for (int axis = 0; axis < Dimension; ++axis) {
       const auto result = product<Scalar>({p[axis], error[axis]}, scale);
       p[axis] = result.value + result.error;

@@ -100,6 +100,8 @@ struct Estrin : TakenAsGiven<Form::power> {
       .citation = "[Estrin 1960]"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 3};
 
+  static constexpr int largest_fixed_degree = 16;  ///< beyond, to take the degree apart costs little
+
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {
     const int n = curve.degree();

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/schemes/steps.hpp"
 #include "core/vector/lane_choice.hpp"
 
 namespace bezierbench {
@@ -21,7 +22,7 @@ struct WoznyChudy : TakenAsGiven<Form::bernstein> {
                                    .citation = "[Wozny and Chudy 2020], Algorithm 1.1"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 3};
 
-  static constexpr int largest_fixed_degree = 6;  ///< beyond, its steps take longer than the loop around them
+  static constexpr int largest_fixed_degree = 12;  ///< beyond, its steps take longer than the loop around them
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
@@ -34,12 +35,13 @@ struct WoznyChudy : TakenAsGiven<Form::bernstein> {
     Point<Scalar, Dimension> q;
     for (int axis = 0; axis < Dimension; ++axis) q[axis] = curve(axis, 0);
     Scalar h = Scalar(1);
-    for (int k = 1; k <= n; ++k) {
-      const Scalar numerator = h * t_share * static_cast<Scalar>(n - k + 1);
+    count_down<Scalar, Degree>(n - 1, [&](int left) {
+      const int k = n - left;
+      const Scalar numerator = h * t_share * static_cast<Scalar>(left + 1);
       h = numerator / (static_cast<Scalar>(k) * rest_share + numerator);
       const Scalar rest = Scalar(1) - h;
       for (int axis = 0; axis < Dimension; ++axis) q[axis] = rest * q[axis] + h * curve(axis, k);
-    }
+    });
     return q;
   }
 };

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/schemes/steps.hpp"
 #include "core/vector/lane_choice.hpp"
 
 namespace bezierbench {
@@ -24,7 +25,7 @@ struct WoznyChudyRational {
                                    .citation = "[Wozny and Chudy 2020], rational curves"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 3, .one_curve_only = true};
 
-  static constexpr int largest_fixed_degree = 6;  ///< beyond, its steps take longer than the loop around them
+  static constexpr int largest_fixed_degree = 12;  ///< beyond, its steps take longer than the loop around them
 
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
@@ -55,12 +56,13 @@ struct WoznyChudyRational {
     Point<Scalar, Dimension> q;
     for (int axis = 0; axis < Dimension; ++axis) q[axis] = prepared.points(axis, 0);
     Scalar h = Scalar(1);
-    for (int k = 1; k <= n; ++k) {
+    count_down<Scalar, Degree>(n - 1, [&](int left) {
+      const int k = n - left;
       const Scalar numerator = h * (t_share * prepared.ratios[k]);
       h = numerator / (complement + numerator);
       const Scalar rest = Scalar(1) - h;
       for (int axis = 0; axis < Dimension; ++axis) q[axis] = rest * q[axis] + h * prepared.points(axis, k);
-    }
+    });
     return q;
   }
 };

@@ -29,11 +29,11 @@ concept SideBySide = detail::is_viewed<PreparedOf<E, S, Dimension>> && !requires
 #define BEZIERBENCH_LARGEST_FIXED_DEGREE max_degree
 #endif
 
-/// The largest degree with a kernel of its own: what the method says (-1: none), else 8. Beyond, the code for every
-/// degree takes no more than a sixth longer.
+/// The largest degree with a kernel of its own: what the method says (-1: none), else 12 for a triangle and 8 for other
+/// methods. Beyond, the code for every degree takes at most an eighth longer.
 template <class E>
 constexpr int largest_fixed_degree() {
-  int largest = 8;
+  int largest = E::info.cost_exponent > 1 ? 12 : 8;
   if constexpr (requires { E::largest_fixed_degree; }) largest = E::largest_fixed_degree;
   return std::min(largest, BEZIERBENCH_LARGEST_FIXED_DEGREE);
 }
