@@ -503,7 +503,9 @@ std::vector<int> statuses() {
   constexpr std::array<float, 6> single{0, 0, 1, 2, 3, 1};
   bb_fitted* fitted = nullptr;
   bb_prepared* prepared = nullptr;
+  const bb_batch batch{BB_BERNSTEIN, 2, 2, 1, 1, nullptr, nullptr, nullptr};
   return {bb_evaluate("horner_bernstein", 2, 2, points.data(), &t, 1, out.data()),
+          bb_evaluate_curves("horner_bernstein", &batch, points.data(), nullptr, &t, out.data()),
           bb_exact(2, 2, points.data(), &t, 1, out.data()),
           bb_curve_error(&parabola, &t, 1, out.data(), error),
           bb_curve_bound("de_casteljau", &parabola, &t, 1, bound),
@@ -555,6 +557,16 @@ TEST(C, TheFlagsOfTheCallerAreLeftAlone) {
   EXPECT_NE(std::fetestexcept(FE_OVERFLOW), 0);
   std::feclearexcept(FE_ALL_EXCEPT);
 }
+
+#ifdef __GLIBC__
+TEST(C, TrapsOfTheCallerAreNotTakenAndLeftAlone) {
+  feenableexcept(FE_ALL_EXCEPT);
+  const auto found = statuses();
+  const int after = fedisableexcept(FE_ALL_EXCEPT);
+  EXPECT_EQ(after, FE_ALL_EXCEPT);
+  for (const int status : found) EXPECT_EQ(status, BB_OK);
+}
+#endif
 
 TEST(C, ThreadsDoNotDisturbEachOther) {
   std::vector<double> t;

@@ -2,7 +2,6 @@
 // The method of an id in the table of a problem.
 #pragma once
 
-#include <cmath>
 #include <span>
 #include <string_view>
 
@@ -50,13 +49,23 @@ const Kernel<Scalar>& evaluator(const char* id, const CurveView<Scalar>& curve) 
                 curve);
 }
 
+/// Throws Refused unless the parameters are finite and in the domain of the method.
+template <class Scalar>
+void require_parameters(const MethodInfo& info, std::span<const Scalar> t) {
+  require_finite(t);
+  if (!info.unit_interval_only) return;
+  bool inside = true;
+  for (const Scalar x : t) inside = inside & (x >= 0) & (x <= 1);
+  require(inside, BB_ERROR_PARAMETER);
+}
+
 /// `count` finite parameters in the domain of the method.
 template <class Scalar>
 std::span<const Scalar> parameters(const MethodInfo& info, const Scalar* t, std::size_t count) {
-  const auto values = finite_values(t, count);
-  if (info.unit_interval_only)
-    require(std::ranges::all_of(values, [](Scalar x) { return x >= 0 && x <= 1; }), BB_ERROR_PARAMETER);
-  return values;
+  if (count == 0) return {};
+  require_pointers(t);
+  require_parameters(info, std::span(t, count));
+  return {t, count};
 }
 
 }  // namespace bezierbench::c

@@ -2,7 +2,11 @@
 #include "bindings/c/curve.hpp"
 
 namespace bezierbench::c {
-namespace {
+
+void require_shape(int dimension, int degree) {
+  require(dimension >= 1 && dimension <= max_dimension, BB_ERROR_DIMENSION);
+  require(degree >= 0 && degree <= max_degree, BB_ERROR_DEGREE);
+}
 
 Form form_at(int form) {
   switch (form) {
@@ -13,16 +17,13 @@ Form form_at(int form) {
   }
 }
 
-}  // namespace
-
 CurveView<double> curve_of(const bb_curve* curve) {
   require_pointers(curve);
   const Form form = form_at(curve->form);
   auto view = bezier_curve(curve->dimension, curve->degree, curve->points);
   view.form = form;
   if (form != Form::rational) return view;
-  view.weights = finite_values(curve->weights, static_cast<std::size_t>(curve->degree) + 1);
-  require(std::ranges::any_of(view.weights, [](double weight) { return weight != 0; }), BB_ERROR_NO_POINT);
+  view.weights = weights_of(curve->weights, curve->degree);
   return view;
 }
 

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "bindings/c/status.hpp"
 #include "core/curve_view.hpp"
@@ -14,10 +17,19 @@ namespace bezierbench::c {
 
 inline constexpr int max_dimension = 3;
 
-/// Throws Refused(BB_ERROR_NOT_FINITE) for a value that is NaN or infinite.
+/// Throws Refused(BB_ERROR_NOT_FINITE) for a value that is NaN or infinite. For all others the bits of x - x are 0; several
+/// vectors of them are collected at once.
 template <class Scalar>
 void require_finite(std::span<const Scalar> values) {
-  require(std::ranges::all_of(values, [](Scalar x) { return std::isfinite(x); }), BB_ERROR_NOT_FINITE);
+  using Bits = std::conditional_t<sizeof(Scalar) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
+  constexpr std::size_t at_once = 128 / sizeof(Scalar);
+  const auto bits = [](Scalar x) { return std::bit_cast<Bits>(x - x); };
+  std::array<Bits, at_once> found{};
+  std::size_t k = 0;
+  for (; k + at_once <= values.size(); k += at_once)
+    for (std::size_t j = 0; j < at_once; ++j) found[j] |= bits(values[k + j]);
+  for (; k < values.size(); ++k) found[0] |= bits(values[k]);
+  require(std::ranges::all_of(found, [](Bits some) { return some == 0; }), BB_ERROR_NOT_FINITE);
 }
 
 /// `count` finite values at `values`, which may be null for none.
@@ -30,14 +42,27 @@ std::span<const Scalar> finite_values(const Scalar* values, std::size_t count) {
   return result;
 }
 
+/// Throws Refused unless curves may have this dimension and degree.
+void require_shape(int dimension, int degree);
+
 /// A curve in Bernstein form. Throws Refused for arguments that do not make a curve.
 template <class Scalar>
 CurveView<Scalar> bezier_curve(int dimension, int degree, const Scalar* points) {
-  require(dimension >= 1 && dimension <= max_dimension, BB_ERROR_DIMENSION);
-  require(degree >= 0 && degree <= max_degree, BB_ERROR_DEGREE);
+  require_shape(dimension, degree);
   const auto values = (static_cast<std::size_t>(degree) + 1) * static_cast<std::size_t>(dimension);
   return {Form::bernstein, dimension, degree, finite_values(points, values), {}};
 }
+
+/// The degree + 1 weights of a curve. Throws Refused for those that do not make one.
+template <class Scalar>
+std::span<const Scalar> weights_of(const Scalar* weights, int degree) {
+  const auto values = finite_values(weights, static_cast<std::size_t>(degree) + 1);
+  require(std::ranges::any_of(values, [](Scalar weight) { return weight != 0; }), BB_ERROR_NO_POINT);
+  return values;
+}
+
+/// The form of a bb_form. Throws Refused for other numbers.
+Form form_at(int form);
 
 /// A curve of the caller. Throws Refused for arguments that do not make a curve.
 CurveView<double> curve_of(const bb_curve* curve);

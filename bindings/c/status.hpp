@@ -30,13 +30,18 @@ void require_pointers(const Pointers*... pointers) {
 /// Keeps floating-point exceptions of the library from the caller: no trap is taken, and the flags are as before.
 class QuietExceptions {
  public:
-  QuietExceptions() { std::feholdexcept(&caller_); }
+  QuietExceptions();
   QuietExceptions(const QuietExceptions&) = delete;
   QuietExceptions& operator=(const QuietExceptions&) = delete;
-  ~QuietExceptions() { std::fesetenv(&caller_); }
+  ~QuietExceptions();
 
  private:
   std::fenv_t caller_{};
+#ifdef __SSE2__
+  unsigned sse_;  ///< control and flags
+  int flags_;
+  bool has_traps_;
+#endif
 };
 
 /// The status of the exception that is being handled.
