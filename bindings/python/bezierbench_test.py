@@ -143,6 +143,41 @@ class Points(unittest.TestCase):
         prepared = bezierbench.Prepared(CURVE, "wozny_chudy")
         self.assertTrue(np.array_equal(prepared(T), bezierbench.evaluate(CURVE, T, "wozny_chudy")))
 
+    def test_many_curves(self):
+        """Each has the points that it has alone, whatever the strides and the shape of t."""
+        random = np.random.default_rng(36)
+        for dtype in (np.float64, np.float32):
+            for m, n, d, k in ((1, 3, 2, 5), (4, 2, 3, 4), (33, 3, 2, 3), (20, 5, 1, 80)):
+                dense, t = random.random((m, n + 1, d)).astype(dtype), random.random((m, k)).astype(dtype)
+                each = np.array([bezierbench.evaluate(points, own) for points, own in zip(dense, t)])
+                for points in (dense, np.asfortranarray(dense), np.concatenate([dense, dense], 1)[:, :n + 1],
+                               np.repeat(dense[::-1], 2, 0)[::-2]):
+                    self.assertTrue(np.array_equal(bezierbench.evaluate(points, t), each))
+                    self.assertTrue(np.array_equal(bezierbench.evaluate(points, np.asfortranarray(t)), each))
+                    self.assertTrue(np.array_equal(bezierbench.evaluate(points, t[:, 1]), each[:, 1]))
+                shared = bezierbench.evaluate(dense, t[:1])
+                self.assertEqual(shared.dtype, dtype)
+                self.assertTrue(np.array_equal(shared, [bezierbench.evaluate(points, t[0]) for points in dense]))
+                self.assertTrue(np.array_equal(bezierbench.evaluate(np.broadcast_to(dense[0], dense.shape), t[:1]),
+                                               np.broadcast_to(shared[0], shared.shape)))
+        self.assertEqual(bezierbench.evaluate(np.empty((0, 4, 2)), np.empty(0)).shape, (0, 2))
+        both = bezierbench.evaluate([CURVE, CURVE], [[0.5], [0.7]], weights=[[1, 1, 1], [1, 2, 1]])
+        self.assertTrue(np.array_equal(both[1], bezierbench.evaluate(CURVE, [0.7], weights=[1, 2, 1])))
+        self.assertEqual(bezierbench.evaluate([[[1.0], [2.0]]], [3.0], form="power").tolist(), [[7]])
+        t = np.array([[0.5, math.nan, 1]])
+        found = bezierbench.evaluate([CURVE, CURVE], t)
+        self.assertTrue(np.isnan(found[:, 1]).all())
+        self.assertTrue(np.array_equal(found[0, [0, 2]], bezierbench.evaluate(CURVE, [0.5, 1])))
+        for wrong in (0.5, [0.5], [0.5] * 3, [[0.5]] * 3, [[[0.5]]]):
+            with self.assertRaisesRegex(ValueError, "for 2 curves; give"):
+                bezierbench.evaluate([CURVE, CURVE], wrong)
+        for call in (lambda: bezierbench.evaluate([CURVE, CURVE], [0.5, 0.5], weights=[1, 1, 1]),
+                     lambda: bezierbench.evaluate([CURVE, CURVE], [0.5, math.inf]),
+                     lambda: bezierbench.evaluate(np.float32([CURVE, CURVE]), [0.5, 0.5], form="power"),
+                     lambda: bezierbench.evaluate(np.ma.masked_equal([CURVE], 0), [0.5])):
+            with self.assertRaises(ValueError):
+                call()
+
     def test_what_is_wrong_is_refused(self):
         for status, call in [(2, lambda: bezierbench.evaluate(CURVE, 0.5, "de_castlejau")),
                              (3, lambda: bezierbench.evaluate(CURVE, 0.5, "horner")),

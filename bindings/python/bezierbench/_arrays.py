@@ -37,6 +37,14 @@ def array_of(values: ArrayLike, dtype: type) -> Array:
     return result
 
 
+def strided_array_of(values: ArrayLike, dtype: type) -> Array:
+    """The same, but an array of `dtype` is taken as it is, whatever its strides are."""
+    if type(values) is np.ndarray and values.dtype == dtype and values.flags.aligned:
+        if not any(stride % values.itemsize for stride in values.strides):
+            return values
+    return array_of(values, dtype)
+
+
 def is_float(points: ArrayLike) -> bool:
     """Whether `points` is an array of float32, of either byte order."""
     dtype = getattr(points, "dtype", None)
@@ -65,25 +73,30 @@ def address(values: Array) -> int:
     return int(values.ctypes.data)
 
 
+def form_of(form: str, weights: ArrayLike | None) -> str:
+    """The form of curves for which the caller names this one. Raises ValueError where it does not fit the weights."""
+    if weights is not None:
+        if form not in ("bernstein", "rational"):
+            raise ValueError(f"weights belong to control points, not to the form {form!r}")
+        return "rational"
+    if form == "rational":
+        raise ValueError("a rational curve needs weights")
+    if not isinstance(form, str) or form not in FORMS:
+        raise ValueError(f"no form {form!r}; use {', '.join(FORMS)}")
+    return form
+
+
 class GivenCurve:
     """A curve for the library, with the arrays that it points to."""
 
     def __init__(self, points: ArrayLike, form: str = "bernstein", weights: ArrayLike | None = None) -> None:
         self.points = point_rows(points)
         count, self.dimension = self.points.shape
-        if weights is not None:
-            if form not in ("bernstein", "rational"):
-                raise ValueError(f"weights belong to control points, not to the form {form!r}")
-            form = "rational"
-        elif form == "rational":
-            raise ValueError("a rational curve needs weights")
-        if not isinstance(form, str) or form not in FORMS:
-            raise ValueError(f"no form {form!r}; use {', '.join(FORMS)}")
+        self.form = form_of(form, weights)
         self.weights = None if weights is None else array_of(weights, np.float64)
         if self.weights is not None and self.weights.shape != (count,):
             raise ValueError(f"weights have the shape {self.weights.shape}; give one for each of the {count} points")
-        self.form = form
-        self.entry = Curve(FORMS[form], self.dimension, count - 1, address(self.points),
+        self.entry = Curve(FORMS[self.form], self.dimension, count - 1, address(self.points),
                            None if self.weights is None else address(self.weights))
 
     @property

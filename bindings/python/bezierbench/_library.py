@@ -7,7 +7,7 @@ import ctypes
 import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from ctypes import POINTER, c_char_p, c_double, c_int, c_int64, c_size_t, c_uint, c_void_p
+from ctypes import POINTER, c_char_p, c_double, c_int, c_int64, c_size_t, c_ssize_t, c_uint, c_void_p
 from pathlib import Path
 
 SONAME = "libbezierbench.so.1"
@@ -23,6 +23,15 @@ class Error(ValueError):
 
 class Curve(ctypes.Structure):
     _fields_ = [("form", c_int), ("dimension", c_int), ("degree", c_int), ("points", c_void_p), ("weights", c_void_p)]
+
+
+class Strides(ctypes.Structure):
+    _fields_ = [("curve", c_ssize_t), ("point", c_ssize_t), ("axis", c_ssize_t)]
+
+
+class Batch(ctypes.Structure):
+    _fields_ = [("form", c_int), ("dimension", c_int), ("degree", c_int), ("curves", c_size_t), ("count", c_size_t),
+                ("points", POINTER(Strides)), ("t", POINTER(Strides)), ("out", POINTER(Strides))]
 
 
 class MethodEntry(ctypes.Structure):
@@ -63,6 +72,8 @@ _SIGNATURES: dict[str, tuple[type | None, list[type]]] = {
     "bb_method_at": (c_int, [c_size_t, POINTER(MethodEntry)]),
     "bb_recommended": (c_char_p, [c_int, c_int, c_int]),
     "bb_evaluate_float": (c_int, [c_char_p, c_int, c_int, _ARRAY, _ARRAY, c_size_t, _ARRAY]),
+    "bb_evaluate_curves": (c_int, [c_char_p, POINTER(Batch), _ARRAY, _ARRAY, _ARRAY, _ARRAY]),
+    "bb_evaluate_curves_float": (c_int, [c_char_p, POINTER(Batch), _ARRAY, _ARRAY, _ARRAY, _ARRAY]),
     "bb_exact_float": (c_int, [c_int, c_int, _ARRAY, _ARRAY, c_size_t, _ARRAY]),
     "bb_curve_evaluate": (c_int, [c_char_p, _CURVE, _ARRAY, c_size_t, _ARRAY]),
     "bb_curve_exact": (c_int, [_CURVE, _ARRAY, c_size_t, _ARRAY]),
@@ -130,6 +141,7 @@ def _load() -> ctypes.CDLL:
 
 
 library = _load()
+NOT_FINITE = 6
 
 
 def interruptible(call: Callable[[], int]) -> int:

@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import FORMS, Array, GivenCurve, address, array_of, is_float, parameters, point_rows
-from ._library import HalfEntry, check, library
+from ._arrays import FORMS, Array, GivenCurve, address, array_of, form_of, is_float, parameters, point_rows, strided_array_of
+from ._library import NOT_FINITE, Batch, HalfEntry, Strides, check, library
 
 # The methods of derivatives and grids that are taken without a name: they take every degree and every t.
 _DERIVATIVES = {"bernstein": "differences_de_casteljau", "power": "power_derivative"}
@@ -67,9 +67,10 @@ def _name(method: str | None, form: str, defaults: dict[str, str] | None = None)
 
 def _answered(at: Array, out: Array, answer: Callable[[Array, Array], int]) -> Array:
     """`out`, which `answer(t, out)` fills, with NaN where t is NaN: the library refuses such a t, and all others with it."""
-    given = ~np.isnan(at)
+    status = answer(at, out)
+    given = ~np.isnan(at) if status == NOT_FINITE else np.True_
     if given.all():
-        check(answer(at, out))
+        check(status)
         return out
     some = np.empty_like(out[given])
     if some.size:
@@ -92,8 +93,14 @@ def evaluate(points: ArrayLike, t: ArrayLike, method: str | None = None, *, form
     float32 is evaluated in float, in Bernstein form only. Raises Error for a method that does not exist or does not take the
     curve.
 
+    `points` of shape (m, n + 1, d), with weights of shape (m, n + 1), are m curves: t of shape (m,) has one parameter for each
+    and gives the shape (m, d); (1, k) has the same k for all, (m, k) k for each, and both give (m, k, d). Arrays of any
+    strides are read where they are.
+
     Without a method it is the one that `recommended` names.
     """
+    if np.ndim(points) == 3:
+        return _evaluate_curves(points, t, method, form, weights)
     if is_float(points):
         name = _name(method, "bernstein")
         rows, at = _float_curve(points, t, form, weights)
@@ -104,6 +111,38 @@ def evaluate(points: ArrayLike, t: ArrayLike, method: str | None = None, *, form
     at = parameters(t)
     return _answered(at, _result(at, curve.dimension), lambda some, out: library.bb_curve_evaluate(
         name, curve.pointer, address(some), some.size, address(out)))
+
+
+def _evaluate_curves(points: ArrayLike, t: ArrayLike, method: str | None, form: str, weights: ArrayLike | None) -> Array:
+    dtype: type = np.float32 if is_float(points) else np.float64
+    if dtype is np.float32:
+        _require_bernstein(form, weights)
+    form = form_of(form, weights)
+    curves = strided_array_of(points, dtype)
+    at = strided_array_of(t, dtype)
+    m, coefficients, dimension = curves.shape
+    if at.shape != (m,) and (at.ndim != 2 or at.shape[0] not in (1, m)):
+        raise ValueError(f"t has the shape {at.shape} for {m} curves; give ({m},) for one each, (1, k) or ({m}, k) for k each")
+    of_each = at[:, np.newaxis] if at.ndim == 1 else np.broadcast_to(at, (m, at.shape[1]))
+    own = None if weights is None else array_of(weights, dtype)
+    if own is not None and own.shape != (m, coefficients):
+        raise ValueError(f"weights have the shape {own.shape}; give {(m, coefficients)}, one for each point")
+    name = _name(method, form)
+    out = np.empty((*of_each.shape, dimension), dtype)
+    function = library.bb_evaluate_curves_float if dtype is np.float32 else library.bb_evaluate_curves
+
+    def status(of_each: Array) -> int:
+        strides = [Strides(*(step // out.itemsize for step in values.strides)) for values in (curves, of_each)]
+        batch = Batch(FORMS[form], dimension, coefficients - 1, m, of_each.shape[1], *map(ctypes.pointer, strides))
+        return function(name, ctypes.byref(batch), address(curves), None if own is None else address(own), address(of_each),
+                        address(out))
+
+    found = status(of_each)
+    if found == NOT_FINITE and (missing := np.isnan(of_each)).any():
+        found = status(np.where(missing, dtype(0.5), of_each))
+        out[missing] = np.nan
+    check(found)
+    return out[:, 0] if at.ndim == 1 else out
 
 
 def recommended(points: ArrayLike, *, form: str = "bernstein", weights: ArrayLike | None = None) -> str:
@@ -117,9 +156,13 @@ def recommended(points: ArrayLike, *, form: str = "bernstein", weights: ArrayLik
     return library.bb_recommended(FORMS[curve.form], len(curve.points) - 1, 0).decode()
 
 
-def _float_curve(points: ArrayLike, t: ArrayLike, form: str, weights: ArrayLike | None) -> tuple[Array, Array]:
+def _require_bernstein(form: str, weights: ArrayLike | None) -> None:
     if form != "bernstein" or weights is not None:
         raise ValueError("float32 is for control points without weights; give float64")
+
+
+def _float_curve(points: ArrayLike, t: ArrayLike, form: str, weights: ArrayLike | None) -> tuple[Array, Array]:
+    _require_bernstein(form, weights)
     return point_rows(points, np.float32), parameters(t, np.float32)
 
 
