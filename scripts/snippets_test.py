@@ -24,7 +24,7 @@ BLOCK = re.compile(r"^```(\w+)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 NAMED = re.compile(r"\s*//\s*(\w+\.(?:cpp|c|h|hpp))\s*$")
 WARNINGS = ["-Wall", "-Wextra", "-Wconversion", "-Werror"]
 COMPILERS = {"cpp": (["c++"], "-std=c++20", "CXX"), "c": (["cc"], "-std=c99", "CC")}
-MODULES = {"cpp": ("bezierbench-reference", "bezierbench-methods"), "c": ("bezierbench-c",)}  # the first that is installed
+MODULES = {"cpp": ("bezierbench-reference bezierbench-c", "bezierbench-methods"), "c": ("bezierbench-c",)}  # the first installed
 
 
 class Wrong(Exception):
@@ -62,9 +62,9 @@ class Page:
         return done.stdout
 
     def flags(self, language):
-        for module in MODULES[language]:
-            if (self.prefix / f"lib/pkgconfig/{module}.pc").exists():
-                return self.run("pkg-config", "--cflags", module).split(), self.run("pkg-config", "--libs", module).split()
+        for modules in (each.split() for each in MODULES[language]):
+            if all((self.prefix / f"lib/pkgconfig/{module}.pc").exists() for module in modules):
+                return self.run("pkg-config", "--cflags", *modules).split(), self.run("pkg-config", "--libs", *modules).split()
         raise Wrong(f"{self.prefix}: no pkg-config file of {', '.join(MODULES[language])}")
 
     def compiled(self, language, body, line):
