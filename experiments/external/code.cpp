@@ -14,17 +14,21 @@
 namespace bezierbench::external {
 namespace {
 
-Status evaluate_each(const OpenKernel& open, const Batch& batch, std::vector<double>& points) {
-  const auto* kernel = open(batch.dimension);
+template <class Scalar>
+Status evaluate_each(const Method& method, const Batch& batch, std::vector<double>& points) {
+  const auto* kernel = method.open_kernel(batch.dimension, Scalar{});
   if (kernel == nullptr) return Status::exited;
   const auto alignment = std::align_val_t{std::max(kernel->prepared_alignment, alignof(std::max_align_t))};
   void* const prepared = ::operator new(kernel->prepared_size, alignment);  // the process ends with the batch
   const auto evaluate_point = kernel->evaluate_for(batch.degree);
+  const std::vector<Scalar> coefficients(batch.coefficients.begin(), batch.coefficients.end());
+  const std::vector<Scalar> weights(batch.weights.begin(), batch.weights.end());
+  std::vector<Scalar> computed(points.begin(), points.end());
   try {
     for (std::size_t k = 0; k < batch.count(); ++k) {
-      kernel->prepare(batch.curve(k), prepared);
-      evaluate_point(prepared, std::span(&batch.t[k], 1),
-                     points.data() + k * static_cast<std::size_t>(batch.dimension));
+      const auto t = static_cast<Scalar>(batch.t[k]);
+      kernel->prepare(batch.curve<Scalar>(k, coefficients, weights), prepared);
+      evaluate_point(prepared, std::span(&t, 1), computed.data() + k * static_cast<std::size_t>(batch.dimension));
       if (kernel->destroy != nullptr) kernel->destroy(prepared);
     }
   } catch (const CurveRefused&) {
@@ -32,6 +36,7 @@ Status evaluate_each(const OpenKernel& open, const Batch& batch, std::vector<dou
   } catch (...) {
     return Status::threw;
   }
+  std::copy(computed.begin(), computed.end(), points.begin());
   return Status::ok;
 }
 
@@ -42,36 +47,31 @@ std::string_view last_line(std::string_view text) {
   return text.substr(text.rfind('\n') + 1);
 }
 
-class Own final : public Method {
+class Own final : public Code {
  public:
-  Own(const OwnMethod& method, const Limits& limits, bool (*stop)()) : method_(method), limits_(limits), stop_(stop) {
+  Own(const OwnMethod& method, const Limits& limits, bool (*stop)()) : Code(limits, stop), method_(method) {
     const MethodInfo& info = *method.info;
-    record_ = {std::string(info.id),
-               suite::ExternalKind::own,
-               std::string(info.label),
-               info.form,
-               info.min_degree,
-               info.max_degree,
-               {},
-               {}};
+    record_.id = info.id;
+    record_.kind = suite::ExternalKind::own;
+    record_.label = info.label;
+    record_.form = info.form;
+    record_.min_degree = info.min_degree;
+    record_.max_degree = info.max_degree;
+    if (method.float_kernels.front() != nullptr)
+      record_.scalars = {suite::ScalarKind::float32, suite::ScalarKind::float64};
     if (const auto what = suite::external_id_problem(record_.id, record_.kind); !what.empty())
       throw Failure(Exit::usage, what + "; change MethodInfo::id");
   }
 
-  [[nodiscard]] const suite::ExternalMethod& record() const override { return record_; }
-  [[nodiscard]] Answer points(const Batch& batch) const override {
-    return call_code([this](int dimension) { return open_kernel(dimension); }, batch, limits_, stop_);
-  }
-  [[nodiscard]] Limits limits() const override { return limits_; }
-  [[nodiscard]] const Kernel<double>* open_kernel(int dimension) const override {
+  [[nodiscard]] const Kernel<double>* open_kernel(int dimension, double /*zero*/) const override {
     return method_.kernels.at(static_cast<std::size_t>(dimension) - 1);
+  }
+  [[nodiscard]] const Kernel<float>* open_kernel(int dimension, float /*zero*/) const override {
+    return method_.float_kernels.at(static_cast<std::size_t>(dimension) - 1);
   }
 
  private:
   OwnMethod method_;
-  suite::ExternalMethod record_;
-  Limits limits_;
-  bool (*stop_)();
 };
 
 }  // namespace
@@ -92,19 +92,20 @@ Answer failed(const Ended& ended) {
   return {Status::timed_out, {}, "interrupted"};
 }
 
-Answer call_code(const OpenKernel& open, const Batch& batch, const Limits& limits, bool (*stop)()) {
+Answer Code::points(const Batch& batch) const {
   const std::size_t numbers = batch.count() * static_cast<std::size_t>(batch.dimension);
   const auto work = [&] {
     const int answer = keep_output_for_answer();
     // A point that was not written is not finite.
     std::vector<double> points(numbers, std::numeric_limits<double>::quiet_NaN());
-    const Status status = evaluate_each(open, batch, points);
+    const Status status = batch.scalar == suite::ScalarKind::float32 ? evaluate_each<float>(*this, batch, points)
+                                                                     : evaluate_each<double>(*this, batch, points);
     write_all(answer, {reinterpret_cast<const char*>(&status), sizeof status});
     write_all(answer, {reinterpret_cast<const char*>(points.data()), numbers * sizeof(double)});
   };
   constexpr std::size_t room_for_errors = 1U << 20U;
   const auto size = sizeof(Status) + numbers * sizeof(double);
-  const auto ended = run_in_child(work, {}, size + room_for_errors, limits, stop);
+  const auto ended = run_in_child(work, {}, size + room_for_errors, limits_, stop_);
   if (ended.end != End::exited || ended.code != 0 || ended.output.size() != size) return failed(ended);
   Answer answer;
   std::memcpy(&answer.status, ended.output.data(), sizeof answer.status);

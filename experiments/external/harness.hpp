@@ -19,15 +19,32 @@ namespace bezierbench::harness {
 int run(int argc, char** argv, std::span<const external::OwnMethod> own);
 
 /// The kernel of a method for one dimension.
-template <Evaluator Method, int Dimension>
-inline constexpr Kernel<double> kernel_in = instantiate::kernel<Method, double, Dimension>();
+template <Evaluator Method, class Scalar, int Dimension>
+inline constexpr Kernel<Scalar> kernel_in = instantiate::kernel<Method, Scalar, Dimension>();
+
+template <Evaluator Method, class Scalar>
+inline constexpr std::array<const Kernel<Scalar>*, 3> kernels_in{
+    &kernel_in<Method, Scalar, 1>, &kernel_in<Method, Scalar, 2>, &kernel_in<Method, Scalar, 3>};
+
+/// Whether `prepare` and `evaluate` take float as well.
+template <class Method>
+concept AnswersInFloat = requires(const Curve<Method::info.form, float, 2>& curve, float t) {
+  { Method::evaluate(Method::prepare(curve), t) } -> std::same_as<Point<float, 2>>;
+};
+
+template <Evaluator Method>
+constexpr external::OwnMethod own_method() {
+  if constexpr (AnswersInFloat<Method>)
+    return {&Method::info, kernels_in<Method, double>, kernels_in<Method, float>};
+  else
+    return {&Method::info, kernels_in<Method, double>, {}};
+}
 
 /// Runs bezierbench with these methods; returns the exit code. `info` states what the method takes (form and degrees); a
 /// bound that it states is not checked.
 template <Evaluator... Methods>
 int main(int argc, char** argv) {
-  static constexpr std::array<external::OwnMethod, sizeof...(Methods)> own{
-      external::OwnMethod{&Methods::info, {&kernel_in<Methods, 1>, &kernel_in<Methods, 2>, &kernel_in<Methods, 3>}}...};
+  static constexpr std::array<external::OwnMethod, sizeof...(Methods)> own{own_method<Methods>()...};
   return run(argc, argv, own);
 }
 

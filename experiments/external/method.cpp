@@ -5,14 +5,6 @@
 
 namespace bezierbench::external {
 
-CurveView<double> Batch::curve(std::size_t k) const {
-  const std::size_t values = static_cast<std::size_t>(degree) + 1;
-  const std::size_t numbers = values * static_cast<std::size_t>(dimension);
-  CurveView<double> view{form, dimension, degree, std::span(coefficients).subspan(k * numbers, numbers)};
-  if (form == Form::rational) view.weights = std::span(weights).subspan(k * values, values);
-  return view;
-}
-
 std::string_view name(Status status) {
   switch (status) {
     case Status::ok: return "ok";

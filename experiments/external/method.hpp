@@ -20,8 +20,9 @@
 
 namespace bezierbench::external {
 
-/// Curves of one form, dimension and degree, each with one parameter.
+/// Curves of one form, dimension and degree, each with one parameter. In float all numbers are floats.
 struct Batch {
+  suite::ScalarKind scalar = suite::ScalarKind::float64;
   Form form = Form::bernstein;
   int dimension = 2;
   int degree = 0;
@@ -30,7 +31,17 @@ struct Batch {
   std::vector<double> weights;       ///< curve by curve, of rational curves
 
   [[nodiscard]] std::size_t count() const { return t.size(); }
-  [[nodiscard]] CurveView<double> curve(std::size_t k) const;
+  [[nodiscard]] CurveView<double> curve(std::size_t k) const { return curve<double>(k, coefficients, weights); }
+  /// The same with the numbers of all curves in another type.
+  template <class Scalar>
+  [[nodiscard]] CurveView<Scalar> curve(std::size_t k, std::span<const Scalar> all_coefficients,
+                                        std::span<const Scalar> all_weights) const {
+    const std::size_t values = static_cast<std::size_t>(degree) + 1;
+    const std::size_t numbers = values * static_cast<std::size_t>(dimension);
+    CurveView<Scalar> view{form, dimension, degree, all_coefficients.subspan(k * numbers, numbers)};
+    if (form == Form::rational) view.weights = all_weights.subspan(k * values, values);
+    return view;
+  }
 };
 
 /// The outcome of a batch, in the order of precedence: of several batches the last in this order is reported.
@@ -69,8 +80,9 @@ class Method {
   /// The points of a batch. Safe to call from several threads.
   [[nodiscard]] virtual Answer points(const Batch& batch) const = 0;
   /// The kernel of a method that is code in this process, for times. It may be requested and called only in a child
-  /// process, which serves one method. Null where it cannot be loaded.
-  [[nodiscard]] virtual const Kernel<double>* open_kernel(int /*dimension*/) const { return nullptr; }
+  /// process, which serves one method. Null where it cannot be loaded, or does not answer in this scalar type.
+  [[nodiscard]] virtual const Kernel<double>* open_kernel(int /*dimension*/, double /*zero*/) const { return nullptr; }
+  [[nodiscard]] virtual const Kernel<float>* open_kernel(int /*dimension*/, float /*zero*/) const { return nullptr; }
   /// The limits of each of its processes.
   [[nodiscard]] virtual Limits limits() const { return {}; }
 };

@@ -8,10 +8,11 @@
 
 namespace bezierbench::external {
 
-/// Its kernels in double, for dimensions 1, 2 and 3.
+/// Its kernels for dimensions 1, 2 and 3; those in float are null where it answers in double only.
 struct OwnMethod {
   const MethodInfo* info;
   std::array<const Kernel<double>*, 3> kernels;
+  std::array<const Kernel<float>*, 3> float_kernels;
 };
 
 }  // namespace bezierbench::external

@@ -25,24 +25,43 @@ static_assert(static_cast<int>(Form::bernstein) == BEZIERBENCH_BERNSTEIN &&
               static_cast<int>(Form::power) == BEZIERBENCH_POWER &&
               static_cast<int>(Form::rational) == BEZIERBENCH_RATIONAL);
 
-/// The plug-in of this process, for the functions of the kernel. Only child processes set it, each once, since each
-/// serves one method.
-const bezierbench_method* loaded = nullptr;
+/// What plugin.h declares for a scalar type.
+template <class Scalar>
+struct Interface;
+template <>
+struct Interface<double> {
+  using Curve = bezierbench_curve;
+  using Functions = bezierbench_method;
+};
+template <>
+struct Interface<float> {
+  using Curve = bezierbench_curve_float;
+  using Functions = bezierbench_method_float;
+};
 
-void prepare(const CurveView<double>& curve, void* prepared) {
-  const bezierbench_curve given{static_cast<bezierbench_form>(curve.form), curve.dimension, curve.degree,
-                                curve.coefficients.data(), curve.weights.empty() ? nullptr : curve.weights.data()};
-  void* const state = loaded->prepare(&given);
+/// The plug-in of this process, for the functions of the kernel. Only child processes set it, each once, since each
+/// serves one method. Null where it does not answer in this scalar type.
+template <class Scalar>
+const typename Interface<Scalar>::Functions* loaded = nullptr;
+
+template <class Scalar>
+void prepare(const CurveView<Scalar>& curve, void* prepared) {
+  const typename Interface<Scalar>::Curve given{static_cast<bezierbench_form>(curve.form), curve.dimension,
+                                                curve.degree, curve.coefficients.data(),
+                                                curve.weights.empty() ? nullptr : curve.weights.data()};
+  void* const state = loaded<Scalar>->prepare(&given);
   if (state == nullptr) throw CurveRefused();
   *static_cast<void**>(prepared) = state;
 }
 
-void evaluate(const void* prepared, std::span<const double> t, double* points) {
-  loaded->evaluate(*static_cast<void* const*>(prepared), t.data(), t.size(), points);
+template <class Scalar>
+void evaluate(const void* prepared, std::span<const Scalar> t, Scalar* points) {
+  loaded<Scalar>->evaluate(*static_cast<void* const*>(prepared), t.data(), t.size(), points);
 }
 
+template <class Scalar>
 void destroy(void* prepared) {
-  if (loaded->destroy != nullptr) loaded->destroy(*static_cast<void**>(prepared));
+  if (loaded<Scalar>->destroy != nullptr) loaded<Scalar>->destroy(*static_cast<void**>(prepared));
 }
 
 /// The description of a plug-in, on its way from the child process.
@@ -52,37 +71,46 @@ struct Description {
   int form = 0;
   int min_degree = 0;
   int max_degree = 0;
+  int in_float = 0;
+  int in_double = 0;
 
   template <class Bytes, class Self>
   static void each_field(Bytes& bytes, Self& self) {
-    bytes(self.id, self.label, self.form, self.min_degree, self.max_degree);
+    bytes(self.id, self.label, self.form, self.min_degree, self.max_degree, self.in_float, self.in_double);
   }
 };
 
-/// Loads the file in a child process; ends the process with one line on standard error where it is not a plug-in.
-void load(const std::string& file) {
+/// Loads the file in a child process and returns what it describes of its method; ends the process with one line on
+/// standard error where it is not a plug-in.
+const bezierbench_method& load(const std::string& file) {
   const auto refuse = [](std::string_view why) {
     std::fputs(fmt::format("{}\n", why).c_str(), stderr);
     std::_Exit(EXIT_FAILURE);
   };
   void* const object = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (object == nullptr) refuse(dlerror());
-  using Entry = const bezierbench_method* (*)();
-  const auto entry = reinterpret_cast<Entry>(dlsym(object, "bezierbench_plugin"));
+  const auto entry = reinterpret_cast<decltype(&bezierbench_plugin)>(dlsym(object, "bezierbench_plugin"));
   if (entry == nullptr) refuse("it does not export bezierbench_plugin");
-  loaded = entry();
-  if (loaded == nullptr) refuse("bezierbench_plugin() returned nothing");
-  if (loaded->version != BEZIERBENCH_PLUGIN_VERSION)
-    refuse(fmt::format("it has version {} of the interface, this program has {}", loaded->version,
+  const auto* method = entry();
+  if (method == nullptr) refuse("bezierbench_plugin() returned nothing");
+  if (method->version != BEZIERBENCH_PLUGIN_VERSION)
+    refuse(fmt::format("it has version {} of the interface, this program has {}", method->version,
                        BEZIERBENCH_PLUGIN_VERSION));
-  if (loaded->id == nullptr || loaded->prepare == nullptr || loaded->evaluate == nullptr)
+  if (method->prepare != nullptr && method->evaluate != nullptr) loaded<double> = method;
+  if (const auto in_float =
+          reinterpret_cast<decltype(&bezierbench_plugin_float)>(dlsym(object, "bezierbench_plugin_float")))
+    loaded<float> = in_float();
+  if (loaded<float> != nullptr && (loaded<float>->prepare == nullptr || loaded<float>->evaluate == nullptr))
+    refuse("prepare or evaluate of bezierbench_plugin_float() is missing");
+  if (method->id == nullptr || (loaded<double> == nullptr && loaded<float> == nullptr))
     refuse("its id, prepare or evaluate is missing");
+  return *method;
 }
 
-class Plugin final : public Method {
+class Plugin final : public Code {
  public:
   Plugin(const std::filesystem::path& file, const Limits& limits, bool (*stop)())
-      : file_(std::filesystem::absolute(file).string()), limits_(limits), stop_(stop) {
+      : Code(limits, stop), file_(std::filesystem::absolute(file).string()) {
     record_.kind = suite::ExternalKind::plugin;
     record_.source = file.filename().string();
     record_.sha256 = bundle::sha256_hex(bundle::read_file(file));
@@ -97,6 +125,9 @@ class Plugin final : public Method {
     record_.form = static_cast<Form>(description->form);
     record_.min_degree = description->min_degree;
     record_.max_degree = description->max_degree;
+    record_.scalars.clear();
+    if (description->in_float != 0) record_.scalars.push_back(suite::ScalarKind::float32);
+    if (description->in_double != 0) record_.scalars.push_back(suite::ScalarKind::float64);
     if (const auto what = suite::external_id_problem(record_.id, record_.kind); !what.empty()) refuse(what);
     if (description->form < 0 || description->form > BEZIERBENCH_RATIONAL) refuse("its form is not one of plugin.h");
     if (description->min_degree < 0 || description->max_degree > max_degree ||
@@ -104,34 +135,37 @@ class Plugin final : public Method {
       refuse(fmt::format("its degrees must be from 0 to {}", max_degree));
   }
 
-  [[nodiscard]] const suite::ExternalMethod& record() const override { return record_; }
-  [[nodiscard]] Answer points(const Batch& batch) const override {
-    return call_code([this](int dimension) { return open_kernel(dimension); }, batch, limits_, stop_);
+  [[nodiscard]] const Kernel<double>* open_kernel(int dimension, double /*zero*/) const override {
+    return kernel<double>(dimension);
   }
-  [[nodiscard]] Limits limits() const override { return limits_; }
+  [[nodiscard]] const Kernel<float>* open_kernel(int dimension, float /*zero*/) const override {
+    return kernel<float>(dimension);
+  }
 
-  [[nodiscard]] const Kernel<double>* open_kernel(int dimension) const override {
+ private:
+  template <class Scalar>
+  [[nodiscard]] const Kernel<Scalar>* kernel(int dimension) const {
     load(file_);
+    if (loaded<Scalar> == nullptr) return nullptr;
     static MethodInfo info;
     info.id = record_.id;
     info.form = record_.form;
     info.min_degree = record_.min_degree;
     info.max_degree = record_.max_degree;
-    static Kernel<double> kernel{};
-    kernel = {&info, dimension, sizeof(void*), alignof(void*), prepare, for_every_degree<double, evaluate>,
-              &info, nullptr,   info.form,     nullptr,        destroy};
+    static Kernel<Scalar> kernel{};
+    kernel = {
+        &info, dimension, sizeof(void*), alignof(void*), prepare<Scalar>, for_every_degree<Scalar, evaluate<Scalar>>,
+        &info, nullptr,   info.form,     nullptr,        destroy<Scalar>};
     return &kernel;
   }
-
- private:
   [[nodiscard]] Ended describe() const {
     const auto work = [this] {
       const int answer = keep_output_for_answer();
-      load(file_);
+      const auto& method = load(file_);
       const auto text = [](const char* given) { return std::string(given == nullptr ? "" : given); };
       number::ByteWriter bytes;
-      bytes(Description{text(loaded->id), text(loaded->label), static_cast<int>(loaded->form), loaded->min_degree,
-                        loaded->max_degree});
+      bytes(Description{text(method.id), text(method.label), static_cast<int>(method.form), method.min_degree,
+                        method.max_degree, loaded<float> == nullptr ? 0 : 1, loaded<double> == nullptr ? 0 : 1});
       write_all(answer, bytes.bytes());
     };
     constexpr std::size_t room = 1U << 20U;
@@ -152,9 +186,6 @@ class Plugin final : public Method {
   }
 
   std::string file_;
-  suite::ExternalMethod record_;
-  Limits limits_;
-  bool (*stop_)();
 };
 
 }  // namespace

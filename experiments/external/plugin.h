@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-/* Version of this interface. Members are added at the end of a structure only, with a new version. */
+/* Version of this interface. What is added later is a function that a plug-in may export or not. */
 #define BEZIERBENCH_PLUGIN_VERSION 1
 
 enum bezierbench_form { BEZIERBENCH_BERNSTEIN = 0, BEZIERBENCH_POWER = 1, BEZIERBENCH_RATIONAL = 2 };
@@ -42,12 +42,35 @@ struct bezierbench_method {
   void (*destroy)(void* prepared);
 };
 
-/* What the shared object exports: its method, which stays valid as long as the object is loaded. */
+/* The same in float. */
+struct bezierbench_curve_float {
+  enum bezierbench_form form;
+  int dimension;
+  int degree;
+  const float* points;
+  const float* weights;
+};
+
+struct bezierbench_method_float {
+  void* (*prepare)(const struct bezierbench_curve_float* curve);
+  void (*evaluate)(const void* prepared, const float* t, size_t count, float* points);
+  void (*destroy)(void* prepared);
+};
+
 #ifdef __GNUC__
-__attribute__((visibility("default")))
+#pragma GCC visibility push(default)
 #endif
-const struct bezierbench_method*
-bezierbench_plugin(void);
+
+/* What the shared object exports: its method, which stays valid as long as the object is loaded. */
+const struct bezierbench_method* bezierbench_plugin(void);
+
+/* Optional: the functions of the same method in float; id, form and degrees are those of bezierbench_plugin(). A method
+ * that answers in float only has NULL for its `prepare` and `evaluate` there. */
+const struct bezierbench_method_float* bezierbench_plugin_float(void);
+
+#ifdef __GNUC__
+#pragma GCC visibility pop
+#endif
 
 #ifdef __cplusplus
 }

@@ -50,35 +50,47 @@ std::optional<Form> given_form(std::string_view word) {
   return std::nullopt;
 }
 
-/// Reads `ID [FORM [MIN_DEGREE MAX_DEGREE]]` into the record. Returns what is wrong with the line, empty if nothing is.
+/// Reads `ID [FORM [MIN_DEGREE MAX_DEGREE]] [float] [double]` into the record. Returns what is wrong with the line, empty
+/// if nothing is.
 std::string read_first_line(std::string_view line, suite::ExternalMethod& record) {
   const auto words = words_of(line);
-  if (words.empty() || words.size() > 4 || words.size() == 3)
-    return "its first line must be ID, ID FORM or ID FORM MIN_DEGREE MAX_DEGREE";
-  record.id = words[0];
+  if (words.empty()) return "its first line is empty";
+  record.id = words.front();
   if (auto what = suite::external_id_problem(record.id, record.kind); !what.empty()) return what;
-  if (words.size() > 1) {
-    const auto form = given_form(words[1]);
-    if (!form) return "the form in its first line must be bernstein, power or rational";
+  std::size_t next = 1;
+  if (const auto form = next < words.size() ? given_form(words[next]) : std::nullopt) {
     record.form = *form;
+    ++next;
   }
-  if (words.size() > 2) {
-    const auto min = number::parse_integer(words[2]);
-    const auto max = number::parse_integer(words[3]);
-    if (!min || !max || *min < 0 || *max > max_degree || *min > *max)
+  if (const auto min = next > 1 && next + 1 < words.size() ? number::parse_integer(words[next]) : std::nullopt) {
+    const auto max = number::parse_integer(words[next + 1]);
+    if (!max || *min < 0 || *max > max_degree || *min > *max)
       return fmt::format("the degrees in its first line must be from 0 to {}", max_degree);
     record.min_degree = static_cast<int>(*min);
     record.max_degree = static_cast<int>(*max);
+    next += 2;
   }
+  std::vector<suite::ScalarKind> scalars;
+  for (; next < words.size(); ++next) {
+    const auto scalar = suite::parse<suite::ScalarKind>(words[next]);
+    if (!scalar)
+      return fmt::format(
+          "\"{}\" in its first line is not the form, a degree or the precision of the line ID [FORM "
+          "[MIN_DEGREE MAX_DEGREE]] [float] [double]",
+          echo(words[next]));
+    scalars.push_back(*scalar);
+  }
+  if (!scalars.empty()) record.scalars = std::move(scalars);
   return {};
 }
 
-/// The `dimension` numbers of each remaining line.
+/// The `dimension` numbers of each remaining line, rounded to the scalar type of the batch.
 Answer read_points(std::string_view text, const Batch& batch) {
   Answer answer;
   const auto malformed = [&](std::size_t line, std::string_view what) {
     return Answer{Status::malformed, {}, fmt::format("line {} of its answers {}", line + 2, what)};
   };
+  const bool is_float = batch.scalar == suite::ScalarKind::float32;
   answer.points.reserve(batch.count() * static_cast<std::size_t>(batch.dimension));
   for (std::size_t k = 0; k < batch.count(); ++k) {
     const auto line = next_line(text);
@@ -89,7 +101,7 @@ Answer read_points(std::string_view text, const Batch& batch) {
     for (const auto word : words) {
       const auto value = number::parse_number(word);
       if (!value) return malformed(k, fmt::format("has \"{}\", which is not a number", echo(word)));
-      answer.points.push_back(*value);
+      answer.points.push_back(is_float ? static_cast<double>(static_cast<float>(*value)) : *value);
     }
   }
   if (text.find_first_not_of("\n \t\r") != std::string_view::npos)
@@ -109,11 +121,14 @@ std::string digest_of_files(std::string_view command) {
   return lines.empty() ? std::string() : bundle::sha256_hex(lines);
 }
 
-/// What a program reads for a batch: a line `bezierbench-program 1 FORM DIMENSION DEGREE COUNT`, then a line for each
-/// input: t, the coefficients point by point, then the weights.
-std::string program_input(const Batch& batch) {
-  auto text = fmt::format("bezierbench-program 1 {} {} {} {}\n", name(batch.form), batch.dimension, batch.degree,
-                          batch.count());
+/// What a program reads for a batch: a line `bezierbench-program 1 FORM DIMENSION DEGREE COUNT`, with the scalar type
+/// unless the program answers in double only, then a line for each input: t, the coefficients point by point, then the
+/// weights.
+std::string program_input(const suite::ExternalMethod& record, const Batch& batch) {
+  auto text =
+      fmt::format("bezierbench-program 1 {} {} {} {}", name(batch.form), batch.dimension, batch.degree, batch.count());
+  if (record.scalars != suite::ExternalMethod().scalars) text += fmt::format(" {}", suite::name(batch.scalar));
+  text += '\n';
   for (std::size_t k = 0; k < batch.count(); ++k) {
     text += number::hexadecimal(batch.t[k]);
     const auto curve = batch.curve(k);
@@ -167,7 +182,7 @@ class Program final : public Method {
       constexpr int not_found = 127;
       _exit(not_found);
     };
-    auto ended = run_in_child(work, program_input(batch), room + longest_number * numbers, limits, stop_);
+    auto ended = run_in_child(work, program_input(record_, batch), room + longest_number * numbers, limits, stop_);
     constexpr int signalled = 128;  // the shell's code for a command that a signal ended, less its number
     if (ended.end == End::exited && ended.code > signalled && ended.code < signalled + NSIG) {
       ended.end = End::signalled;

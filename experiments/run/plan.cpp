@@ -208,7 +208,7 @@ void tell_unasked(const RunRequest& request, const Plan& plan) {
     if (count == all)
       throw Failure(Exit::usage,
                     fmt::format("{}: no study asks it, of {}; choose a suite with a study of kind accuracy "
-                                "for its form of curves, in double",
+                                "for its form of curves and its precision",
                                 method.id, sentence(*studies.begin())));
     if (request.telling != Telling::nothing)
       for (const auto& one : studies) note(fmt::format("{}: is not asked in {}", method.id, sentence(one)));

@@ -15,6 +15,9 @@ namespace {
 
 constexpr std::size_t max_id_length = 64;
 
+/// The keys that records of earlier versions do not have.
+constexpr std::array<std::string_view, 1> later_keys{"scalars"};
+
 /// The keys of an [[external]] table with their places in a record; `Method` is const to write, else to read.
 template <class Method, class Visit>
 void each_key(Method& method, Visit visit) {
@@ -24,6 +27,7 @@ void each_key(Method& method, Visit visit) {
   visit("form", method.form);
   visit("min_degree", method.min_degree);
   visit("max_degree", method.max_degree);
+  visit("scalars", method.scalars);
   visit("source", method.source);
   visit("sha256", method.sha256);
 }
@@ -34,8 +38,10 @@ ExternalMethod method_of(const toml::table& table, std::string_view file) {
   each_key(method, [&](std::string_view key, auto& value) {
     known.insert(key);
     const toml::node* node = table.get(key);
-    if (node == nullptr) fail(file, table.source().begin, fmt::format("{} is missing; add it", key));
-    read(Source{file, key}, *node, value);
+    if (node != nullptr)
+      read(Source{file, key}, *node, value);
+    else if (std::ranges::count(later_keys, key) == 0)
+      fail(file, table.source().begin, fmt::format("{} is missing; add it", key));
   });
   for (const auto& [key, node] : table)
     if (!known.contains(key.str()))

@@ -34,7 +34,8 @@ struct ExternalMethod {
   Form form = Form::bernstein;
   int min_degree = 0;
   int max_degree = bezierbench::max_degree;
-  std::string source;  ///< the command, or the file as it was named; empty for `own`
+  std::vector<ScalarKind> scalars{ScalarKind::float64};  ///< in which it answers
+  std::string source;                                    ///< the command, or the file as it was named; empty for `own`
   std::string sha256;  ///< of the file, or of the `sha256sum` lines of the files that the command names; may be empty
   friend bool operator==(const ExternalMethod&, const ExternalMethod&) = default;
 };

@@ -8,9 +8,21 @@
 namespace bezierbench::suite {
 namespace {
 
-const ExternalMethod program{"program_mine",         ExternalKind::program, "", Form::power, 1, 20,
-                             "python3 'a \"b\".py'", std::string(64, 'a')};
-const ExternalMethod plugin{"plugin_mine", ExternalKind::plugin, "Mine", Form::rational, 0, 1023, "mine.so", ""};
+const ExternalMethod program{.id = "program_mine",
+                             .kind = ExternalKind::program,
+                             .label = "",
+                             .form = Form::power,
+                             .min_degree = 1,
+                             .max_degree = 20,
+                             .scalars = {ScalarKind::float32, ScalarKind::float64},
+                             .source = "python3 'a \"b\".py'",
+                             .sha256 = std::string(64, 'a')};
+const ExternalMethod plugin{.id = "plugin_mine",
+                            .kind = ExternalKind::plugin,
+                            .label = "Mine",
+                            .form = Form::rational,
+                            .source = "mine.so",
+                            .sha256 = ""};
 
 TEST(External, ReadsBackItsOwnText) {
   const std::vector<ExternalMethod> methods{program, plugin};

@@ -22,6 +22,7 @@
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
+#include "experiments/judge/scalar_facts.hpp"
 #include "experiments/studies/external/external.hpp"
 #include "experiments/suite/names.hpp"
 #include "reference/exact_point.hpp"
@@ -205,6 +206,7 @@ Exit replay(const std::string& id, const WorstRecord& record, const sample::Cell
 }
 
 /// Asks an external method again.
+template <class Scalar>
 Exit replay_external(const std::string& id, const WorstRecord& record, const sample::Cell& cell,
                      const external::Methods& given) {
   const auto& name = record.text("method");
@@ -213,10 +215,11 @@ Exit replay_external(const std::string& id, const WorstRecord& record, const sam
     throw Failure(Exit::usage, fmt::format("{}: {} is an external method; give it with --plugin, --program or "
                                            "--answers",
                                            id, name));
-  judge::TrialInputs<double> inputs(cell.form, cell);
+  judge::TrialInputs<Scalar> inputs(cell.form, cell);
   inputs.assign(record.input(cell));
   const auto curve = inputs.curve();
-  const auto answer = method->points({cell.form,
+  const auto answer = method->points({record.scalar(),
+                                      cell.form,
                                       cell.dimension,
                                       cell.degree,
                                       {inputs.t()},
@@ -228,10 +231,11 @@ Exit replay_external(const std::string& id, const WorstRecord& record, const sam
     return Exit::finding;
   }
   const studies::JudgedExternal judged(method->record(), cell.form, method);
-  const auto& kernel = judged.described(cell.dimension);
-  judge::PointJudge<double> judge;
+  const auto& kernel = judged.described<Scalar>(cell.dimension);
+  const std::vector<Scalar> point(answer.points.begin(), answer.points.end());
+  judge::PointJudge<Scalar> judge;
   return print_replay(id, record, cell, &kernel, inputs, judge,
-                      judge.judge(kernel, inputs, std::span<const double>(answer.points)));
+                      judge.judge(kernel, inputs, std::span<const Scalar>(point)));
 }
 
 /// A field that some properties have; 0 where it is empty.
@@ -323,14 +327,14 @@ void add_replay(Command program, Exit& exit, std::span<const external::OwnMethod
       exit = replay_property(options->id, record, cell);
       return;
     }
-    if (suite::is_external(record.text("method"))) {
-      auto given = external->methods();
-      if (options->answers) given.push_back(read_answers(*options->answers, record.text("method")));
-      exit = replay_external(options->id, record, cell, given);
-      return;
-    }
-    exit = record.scalar() == suite::ScalarKind::float32 ? replay<float>(options->id, record, cell)
-                                                         : replay<double>(options->id, record, cell);
+    external::Methods given;
+    const bool is_external = suite::is_external(record.text("method"));
+    if (is_external) given = external->methods();
+    if (is_external && options->answers) given.push_back(read_answers(*options->answers, record.text("method")));
+    exit = judge::with_scalar(record.scalar(), [&]<class Scalar>(Scalar /*zero*/) {
+      return is_external ? replay_external<Scalar>(options->id, record, cell, given)
+                         : replay<Scalar>(options->id, record, cell);
+    });
   });
 }
 

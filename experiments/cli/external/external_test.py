@@ -31,6 +31,9 @@ def compiled(folder, source, name, *options):
 
 
 class External(Case):
+    def program(self, name, text):
+        return f"{sys.executable} {self.folder / self.write(name + '.py', text)}"
+
     def own_rows(self, bundle, table="accuracy.csv"):
         return [row for row in rows((self.folder / bundle / table).read_text())
                 if not row["method"].startswith(("plugin_", "program_", "answers_", "own_"))]
@@ -118,6 +121,34 @@ class Ways(External):
         self.assertEqual((timed["checked"], timed["relative_to"], timed["mode"]), ("yes", "de_casteljau", "point"))
         self.assertGreater(float(timed["median_ns"]), 0)
 
+    def test_float(self):
+        """A plug-in in float only and a command in both precisions have the numbers of our method in theirs."""
+        command = self.program("rounds", """
+            import struct, sys
+            def rounded(x): return struct.unpack("f", struct.pack("f", x))[0] if scalar == "float" else x
+            *_, dimension, degree, count, scalar = (sys.stdin.readline() + " double").split()[:7]
+            print("program_rounds bernstein float double")
+            for line in sys.stdin:
+                t, *b = map(float.fromhex, line.split())
+                while len(b) > int(dimension):
+                    b = [rounded(rounded(rounded(1 - t) * x) + rounded(t * y)) for x, y in zip(b, b[int(dimension):])]
+                print(*b)
+            """.replace("\n            ", "\n"))
+        optional = compiled(self.folder, EXAMPLES / "plugin/optional.c", "optional.so")
+        both = {"scalar": '["float", "double"]'}
+        suite = self.suite({**STUDY, **SMALL, **both}, {**TIMING, **both, "modes": '["point"]', "methods": '["de_casteljau"]'})
+        given = ("--program", command, "--plugin", optional)
+        self.bundle(suite, "--no-timing", name="without")
+        self.bundle(suite, *given)
+        self.assert_numbers_of([row for row in self.external_rows("b") if row["method"] == "program_rounds"], self.ours("b"))
+        in_float = [row for row in self.external_rows("b") if row["method"] == "plugin_optional"]
+        self.assert_numbers_of(in_float, [row for row in self.ours("b") if row["scalar"] == "float"])
+        self.assertEqual([(row["method"], row["scalar"], row["checked"]) for row in self.external_rows("b", "timing.csv")],
+                         [("plugin_optional", "float", "yes")])
+        for method in ("program_rounds", "plugin_optional"):
+            self.replayed("b", method, *given)
+        self.refused(USAGE, ["run", self.suite(**SMALL), "--out", "c", "--plugin", optional], "study a: it is in double only")
+
     def test_answers(self):
         suite = self.suite(**{**SMALL, "trials": "50"})
         seed = ("--seed", 2**53 + 1)  # which no double has
@@ -162,13 +193,15 @@ class Ways(External):
         if not program.exists():
             self.skipTest("the example of the harness is not built: experiments/examples/cpp")
         methods = '["de_casteljau_lerp"]'
-        suite = self.suite({**STUDY, **SMALL, "methods": methods}, {**TIMING, "modes": '["point"]', "methods": methods})
+        both = {"scalar": '["float", "double"]', "methods": methods}
+        suite = self.suite({**STUDY, **SMALL, **both}, {**TIMING, **both, "modes": '["point"]'})
         self.bundle(suite, name="without")
         subprocess.run([program, "run", suite, "--quiet", "--out", "b"], cwd=self.folder, check=True)
         self.assert_complete("b")
         self.assert_others_unchanged("b", "without")
         self.assert_numbers_of(self.external_rows("b"), self.ours("b", "de_casteljau_lerp"))
-        self.assertEqual([row["checked"] for row in self.external_rows("b", "timing.csv")], ["yes"])
+        self.assertEqual([(row["scalar"], row["checked"]) for row in self.external_rows("b", "timing.csv")],
+                         [("float", "yes"), ("double", "yes")])
         listed = subprocess.run([program, "list", "methods", "--format", "csv"], check=True, capture_output=True, text=True)
         self.assertEqual(rows(listed.stdout)[-1]["id"], "own_lerp")
         worst = self.external_rows("b", "worst.csv")[0]["worst_id"]
@@ -206,9 +239,6 @@ class Faults(External):
             self.assertEqual(bool(row["max_error"]), row["status"] == "ok", row)
         wrong = next(row for row in self.external_rows("b") if row["method"] == "plugin_faulty_0")
         self.assertGreater(float(wrong["max_error_u"]), 1e12)  # the first control point in place of the curve's
-
-    def program(self, name, text):
-        return f"{sys.executable} {self.folder / self.write(name + '.py', text)}"
 
     def test_faulty_programs(self):
         answer = "import sys\ncount = int(sys.stdin.readline().split()[-1])\nprint('program_NAME')\n"

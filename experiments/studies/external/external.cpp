@@ -31,15 +31,18 @@ JudgedExternal::JudgedExternal(suite::ExternalMethod record, Form form, const ex
             .form = form,
             .min_degree = record_.min_degree,
             .max_degree = record_.max_degree,
+            .max_degree_float = record_.max_degree,
             .flops = {},
             .citation = {}} {
-  for (int dimension = 1; dimension <= 3; ++dimension) {
-    auto& kernel = described_[static_cast<std::size_t>(dimension) - 1];
-    kernel = {};
-    kernel.info = kernel.evaluator = &info_;
-    kernel.dimension = dimension;
-    kernel.evaluated_form = form;
-  }
+  const auto describe = [&](auto& kernels) {
+    for (std::size_t k = 0; k < kernels.size(); ++k) {
+      kernels[k] = {};
+      kernels[k].info = kernels[k].evaluator = &info_;
+      kernels[k].dimension = static_cast<int>(k) + 1;
+      kernels[k].evaluated_form = form;
+    }
+  };
+  std::apply([&](auto&... of_scalar) { (describe(of_scalar), ...); }, described_);
 }
 
 const external::Method& JudgedExternal::method() const {
@@ -63,7 +66,9 @@ std::string why_unasked(const suite::Study& study, const suite::ExternalMethod& 
   }
   if (record.kind != suite::ExternalKind::answers && record.form != study.form)
     return fmt::format("its curves are in {} form, the method takes {} form", name(study.form), name(record.form));
-  return std::ranges::count(study.scalar, suite::ScalarKind::float64) == 0 ? "it is in float only" : "";
+  const auto answers_in = [&](suite::ScalarKind scalar) { return std::ranges::count(record.scalars, scalar) > 0; };
+  return std::ranges::any_of(study.scalar, answers_in) ? ""
+                                                       : fmt::format("it is in {} only", name(study.scalar.front()));
 }
 
 std::unique_ptr<run::Job> external_job(const suite::Study& study, const suite::ExternalMethod& record,

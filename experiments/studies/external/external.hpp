@@ -3,10 +3,12 @@
 // compared with those of our methods; no other row depends on it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <memory>
 #include <string>
+#include <tuple>
 
 #include "experiments/external/method.hpp"
 #include "experiments/run/job.hpp"
@@ -33,9 +35,13 @@ class JudgedExternal {
   JudgedExternal& operator=(const JudgedExternal&) = delete;
 
   [[nodiscard]] const MethodInfo& info() const { return info_; }
+  [[nodiscard]] bool answers_in(suite::ScalarKind scalar) const {
+    return std::ranges::count(record_.scalars, scalar) > 0;
+  }
   /// A kernel that only describes the method: its functions are null.
-  [[nodiscard]] const Kernel<double>& described(int dimension) const {
-    return described_[static_cast<std::size_t>(dimension) - 1];
+  template <class Scalar>
+  [[nodiscard]] const Kernel<Scalar>& described(int dimension) const {
+    return std::get<Described<Scalar>>(described_)[static_cast<std::size_t>(dimension) - 1];
   }
   /// Throws std::logic_error where it was not given.
   [[nodiscard]] const external::Method& method() const;
@@ -43,10 +49,13 @@ class JudgedExternal {
   void report(const suite::Study& study, const external::Answer& answer) const;
 
  private:
+  template <class Scalar>
+  using Described = std::array<Kernel<Scalar>, 3>;
+
   suite::ExternalMethod record_;
   const external::Method* given_;
   MethodInfo info_;  ///< refers to the record
-  std::array<Kernel<double>, 3> described_;
+  std::tuple<Described<float>, Described<double>> described_;
   mutable std::atomic_flag reported_;
 };
 

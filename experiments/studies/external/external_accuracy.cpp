@@ -10,7 +10,9 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <variant>
 
+#include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/trial_inputs.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/accuracy/accuracy_cell.hpp"
@@ -42,53 +44,71 @@ class ExternalAccuracyJob final : public run::JobOf<ExternalTally> {
                       run::JobContext context)
       : study_(study), method_(record, study.form, given) {
     context.audited_trials = 0;  // the study's own job audits them
-    for (const auto& cell : sample::cells(study_)) {
-      cells_.emplace_back(study_, context, cell, method_.described(cell.dimension));
-      late_.emplace_back(false);
-    }
+    for (const auto& cell : sample::cells(study_))
+      for (const auto scalar : study_.scalar)
+        if (method_.answers_in(scalar))
+          judge::with_scalar(scalar, [&]<class Scalar>(Scalar /*zero*/) {
+            cells_.emplace_back(std::in_place_type<AccuracyCell<Scalar>>, study_, context, cell,
+                                method_.described<Scalar>(cell.dimension));
+            late_.emplace_back(false);
+          });
   }
 
   [[nodiscard]] std::size_t parts() const override { return cells_.size(); }
-  [[nodiscard]] std::size_t blocks_per_part() const override { return (cells_.front().blocks() - 1) / together() + 1; }
+  [[nodiscard]] std::size_t blocks_per_part() const override { return (blocks_per_cell() - 1) / together() + 1; }
   [[nodiscard]] double cost(std::size_t part) const override {
     constexpr double process_cost = 2e7;
-    return process_cost + static_cast<double>(together()) * cells_[part].cost();
+    return process_cost +
+           static_cast<double>(together()) * std::visit([](const auto& cell) { return cell.cost(); }, cells_[part]);
   }
   [[nodiscard]] run::Extent extent() const override {
     run::Extent sum;
-    for (const auto& cell : cells_) sum += cell.extent();
+    for (std::size_t k = 0; k < cells_.size(); ++k)
+      sum += std::visit([](const auto& cell) { return cell.extent(); }, cells_[k]);
     sum.cells = 0;  // they are those of the study's own job
     return sum;
   }
   void write(tables::Tables& tables) const override {
     (void)tables.table("reference.csv");
-    for (std::size_t k = 0; k < cells_.size(); ++k) cells_[k].write(state(k).tally, tables, failure(state(k)));
+    for (std::size_t k = 0; k < cells_.size(); ++k)
+      std::visit([&](const auto& cell) { cell.write(state(k).tally, tables, failure(state(k))); }, cells_[k]);
   }
   /// Rows of reference.csv are not planned, since a method that fails has none.
   void list_rows(tables::Tables& tables) const override {
-    for (const auto& cell : cells_) cell.list_judgements(tables);
+    for (std::size_t k = 0; k < cells_.size(); ++k)
+      std::visit([&](const auto& cell) { cell.list_judgements(tables); }, cells_[k]);
   }
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
 
  protected:
-  [[nodiscard]] ExternalTally work(std::size_t block) const override;
+  [[nodiscard]] ExternalTally work(std::size_t block) const override {
+    return std::visit([&](const auto& cell) { return work(cell, block); }, cells_[part_of(block)]);
+  }
 
  private:
-  using Cell = AccuracyCell<double>;
+  using Cell = std::variant<AccuracyCell<double>, AccuracyCell<float>>;
 
+  [[nodiscard]] std::size_t blocks_per_cell() const {
+    return std::visit([](const auto& cell) { return cell.blocks(); }, cells_[0]);  // all cells alike
+  }
   /// Blocks of a cell that one batch holds.
   [[nodiscard]] std::size_t together() const {
     constexpr std::uint64_t max_trials = 1024;
-    const auto [first, end] = cells_.front().trials_of(0);
+    const auto [first, end] = std::visit([](const auto& cell) { return cell.trials_of(0); }, cells_[0]);
     return std::max<std::size_t>(1, max_trials / (end - first));
   }
   /// The first block of a cell in a batch, and one past the last.
-  [[nodiscard]] std::pair<std::size_t, std::size_t> blocks_in(const Cell& cell, std::size_t batch) const {
-    return {batch * together(), std::min(cell.blocks(), (batch + 1) * together())};
+  [[nodiscard]] std::pair<std::size_t, std::size_t> blocks_in(std::size_t batch) const {
+    return {batch * together(), std::min(blocks_per_cell(), (batch + 1) * together())};
   }
-  void add_inputs(const Cell& cell, std::size_t block, external::Batch& batch) const;
+  template <class Scalar>
+  [[nodiscard]] ExternalTally work(const AccuracyCell<Scalar>& cell, std::size_t block) const;
+  template <class Scalar>
+  void add_inputs(const AccuracyCell<Scalar>& cell, std::size_t block, external::Batch& batch) const;
   /// The errors of the blocks in a batch; without points a tally without trials.
-  [[nodiscard]] judge::CellTally judged(const Cell& cell, std::size_t batch, std::span<const double> points) const;
+  template <class Scalar>
+  [[nodiscard]] judge::CellTally judged(const AccuracyCell<Scalar>& cell, std::size_t batch,
+                                        std::span<const double> points) const;
   /// The status in place of the numbers; empty where there are numbers.
   static std::string_view failure(const ExternalTally& state) {
     const auto status = static_cast<Status>(state.status);
@@ -104,8 +124,10 @@ class ExternalAccuracyJob final : public run::JobOf<ExternalTally> {
       late_;  ///< cells in which a block took too long; their other blocks are skipped
 };
 
-void ExternalAccuracyJob::add_inputs(const Cell& cell, std::size_t block, external::Batch& batch) const {
-  judge::TrialInputs<double> inputs(study_.form, cell.cell());
+template <class Scalar>
+void ExternalAccuracyJob::add_inputs(const AccuracyCell<Scalar>& cell, std::size_t block,
+                                     external::Batch& batch) const {
+  judge::TrialInputs<Scalar> inputs(study_.form, cell.cell());
   const auto [first, end] = cell.trials_of(block);
   for (auto trial = first; trial < end; ++trial) {
     inputs.draw(cell.sampler(), trial);
@@ -116,9 +138,10 @@ void ExternalAccuracyJob::add_inputs(const Cell& cell, std::size_t block, extern
   }
 }
 
-judge::CellTally ExternalAccuracyJob::judged(const Cell& cell, std::size_t batch,
+template <class Scalar>
+judge::CellTally ExternalAccuracyJob::judged(const AccuracyCell<Scalar>& cell, std::size_t batch,
                                              std::span<const double> points) const {
-  const auto [first_block, end_block] = blocks_in(cell, batch);
+  const auto [first_block, end_block] = blocks_in(batch);
   std::optional<judge::CellTally> sum;
   for (auto block = first_block; block < end_block; ++block) {
     const auto [first, end] = cell.trials_of(block);
@@ -134,17 +157,18 @@ judge::CellTally ExternalAccuracyJob::judged(const Cell& cell, std::size_t batch
   return std::move(*sum);
 }
 
-ExternalTally ExternalAccuracyJob::work(std::size_t block) const {
+template <class Scalar>
+ExternalTally ExternalAccuracyJob::work(const AccuracyCell<Scalar>& cell, std::size_t block) const {
   const std::size_t part = part_of(block);
   const std::size_t batch_number = block % blocks_per_part();
-  const Cell& cell = cells_[part];
   const auto nothing = [&](Status status) {
     return ExternalTally{judged(cell, batch_number, {}), static_cast<std::uint8_t>(status)};
   };
-  if (!method_.info().supports<double>(cell.cell().degree)) return nothing(Status::ok);
+  if (!method_.info().supports<Scalar>(cell.cell().degree)) return nothing(Status::ok);
   if (late_[part]) return nothing(Status::timed_out);
-  external::Batch batch{study_.form, cell.cell().dimension, cell.cell().degree, {}, {}, {}};
-  const auto [first, end] = blocks_in(cell, batch_number);
+  external::Batch batch{
+      judge::ScalarFacts<Scalar>::kind, study_.form, cell.cell().dimension, cell.cell().degree, {}, {}, {}};
+  const auto [first, end] = blocks_in(batch_number);
   for (auto k = first; k < end; ++k) add_inputs(cell, k, batch);
   const auto answer = method_.method().points(batch);
   if (run::interrupted()) return nothing(Status::ok);  // the engine drops unfinished blocks

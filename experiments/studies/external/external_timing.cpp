@@ -10,6 +10,7 @@
 
 #include "experiments/external/code.hpp"
 #include "experiments/judge/methods.hpp"
+#include "experiments/judge/scalar_facts.hpp"
 #include "experiments/number/bytes.hpp"
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/race.hpp"
@@ -46,10 +47,11 @@ struct ExternalLaps {
 ExternalLaps nothing(Status status) { return {{}, static_cast<std::uint8_t>(status)}; }
 
 /// The races of a study that the method can join, with the method that ratios are relative to as its only rival.
-std::vector<race::Race> races_of(const suite::Study& study, const MethodInfo& method) {
+std::vector<race::Race> races_of(const suite::Study& study, const JudgedExternal& external) {
+  const MethodInfo& method = external.info();
   std::vector<race::Race> all;
   for (auto& race : races_of_evaluation(study)) {
-    if (race.scalar != suite::ScalarKind::float64 || !method.supports<double>(race.cell.degree)) continue;
+    if (!external.answers_in(race.scalar) || !method.supports<double>(race.cell.degree)) continue;
     const auto base = race::relative_to(race, study);
     race.methods = base ? std::vector{race.methods[*base]} : std::vector<const MethodInfo*>();
     race.methods.push_back(&method);
@@ -62,7 +64,7 @@ class ExternalTimingJob final : private JudgedExternal, public RacingJob<Externa
  public:
   ExternalTimingJob(const suite::Study& study, const suite::ExternalMethod& record, const external::Method* given,
                     const run::JobContext& context)
-      : JudgedExternal(record, study.form, given), RacingJob(study, context, races_of(study, info())), late_(parts()) {}
+      : JudgedExternal(record, study.form, given), RacingJob(study, context, races_of(study, *this)), late_(parts()) {}
 
   [[nodiscard]] run::Extent extent() const override { return {0, parts(), parts() * race::timed_inputs_per_cell}; }
   void write(tables::Tables& tables) const override;
@@ -71,9 +73,15 @@ class ExternalTimingJob final : private JudgedExternal, public RacingJob<Externa
  protected:
   [[nodiscard]] ExternalLaps work(std::size_t block) const override;
   /// Opens the method, so it is to be called in a process that serves it alone.
-  [[nodiscard]] race::JudgedRivals rivals_of(std::size_t part) const override;
+  [[nodiscard]] race::JudgedRivals rivals_of(std::size_t part) const override {
+    return judge::with_scalar(races()[part].scalar,
+                              [&]<class Scalar>(Scalar /*zero*/) { return rivals_in<Scalar>(races()[part]); });
+  }
 
  private:
+  template <class Scalar>
+  [[nodiscard]] race::JudgedRivals rivals_in(const race::Race& race) const;
+
   mutable std::vector<bool> late_;  ///< races in which a repetition took too long; their other repetitions are skipped
 };
 
@@ -106,15 +114,15 @@ void ExternalTimingJob::write(tables::Tables& tables) const {
   }
 }
 
-race::JudgedRivals ExternalTimingJob::rivals_of(std::size_t part) const {
-  const auto& race = races()[part];
+template <class Scalar>
+race::JudgedRivals ExternalTimingJob::rivals_in(const race::Race& race) const {
   const auto held =
-      std::make_shared<const race::Inputs<double>>(race::timed_inputs<double>(study(), race.cell, seed()));
+      std::make_shared<const race::Inputs<Scalar>>(race::timed_inputs<Scalar>(study(), race.cell, seed()));
   const auto& inputs = *held;
   race::JudgedRivals all{{}, {}, held};
   for (const auto* info : race.methods) {
-    const auto* kernel = info == &this->info() ? method().open_kernel(race.cell.dimension)
-                                               : judge::find_method<double>(info->id, info->form, race.cell.dimension);
+    const auto* kernel = info == &this->info() ? method().open_kernel(race.cell.dimension, Scalar{})
+                                               : judge::find_method<Scalar>(info->id, info->form, race.cell.dimension);
     auto judged = race::judge_points(*kernel, race.mode, inputs);
     all.judged.push_back({judged.right, judged.max_error_u});
     all.rivals.push_back(race::kernel_rival(*kernel, race.mode, inputs, std::move(judged.points)));
