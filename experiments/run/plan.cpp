@@ -60,6 +60,7 @@ void add_external_jobs(const RunRequest& request, const suite::Study& study, Job
   const auto named = std::ranges::find_if(study.methods, suite::is_external);
   const bool names_some = named != study.methods.end();
   const auto before = plan.jobs.size();
+  std::string why = "it was not given";
   for (const auto& method : request.external) {
     const auto means = [&](const std::string& entry) {
       return suite::is_external(entry) && suite::matches(entry, method.id);
@@ -72,17 +73,17 @@ void add_external_jobs(const RunRequest& request, const suite::Study& study, Job
     context.number = plan.jobs.size();
     auto job = request.kinds.make_external_job(study, method, context);
     if (!job) {
-      plan.unasked.push_back({method.id, study.id, request.kinds.why_unasked(study, method)});
+      why = request.kinds.why_unasked(study, method);
+      plan.unasked.push_back({method.id, study.id, why});
       continue;
     }
     plan.jobs.push_back(std::move(job));
     plan.job_names.push_back(name_of_job(study.id, method.id));
   }
   if (names_some && plan.jobs.size() == before)
-    suite::refuse(study, {"methods", static_cast<std::size_t>(named - study.methods.begin()), "kind",
-                          fmt::format("method \"{}\" is external and not available in this study, because of its "
-                                      "kind, form or scalar; remove it",
-                                      *named)});
+    suite::refuse(
+        study, {"methods", static_cast<std::size_t>(named - study.methods.begin()), "kind",
+                fmt::format("method \"{}\" is external and not available in this study: {}; remove it", *named, why)});
 }
 
 /// Throws Failure(usage) for a study of curve sets whose methods take none of the curves.
@@ -205,11 +206,14 @@ void tell_unasked(const RunRequest& request, const Plan& plan) {
     const auto sentence = [](const auto& one) {
       return fmt::format("stud{} {}: {}", one.second.size() == 1 ? "y" : "ies", fmt::join(one.second, ", "), one.first);
     };
-    if (count == all)
+    if (count == all) {
+      std::vector<std::string> sentences;
+      for (const auto& one : studies) sentences.push_back(sentence(one));
       throw Failure(Exit::usage,
                     fmt::format("{}: no study asks it, of {}; choose a suite with a study of kind accuracy "
-                                "for its form of curves and its precision",
-                                method.id, sentence(*studies.begin())));
+                                "for its form of curves, degrees and precision",
+                                method.id, fmt::join(sentences, ", of ")));
+    }
     if (request.telling != Telling::nothing)
       for (const auto& one : studies) note(fmt::format("{}: is not asked in {}", method.id, sentence(one)));
   }

@@ -248,11 +248,13 @@ Exit check(const CheckOptions& options, const ExternalOptions& external) {
   const auto quick = suite::read_suites(suite_file("quick"), vocabulary());
   const auto judged = studies_that_judge(has_bundle ? suites_of_bundle(against->bundle) : quick, checked);
   if (judged.empty())
-    throw Failure(Exit::usage, has_bundle ? fmt::format("{}: does not have errors of {}; name another bundle",
-                                                        against->name, options.method)
-                                          : fmt::format("{}: is a method of another library, which suites judge only "
-                                                        "where they name it; see --against BUNDLE",
-                                                        options.method));
+    throw Failure(
+        Exit::usage,
+        has_bundle ? fmt::format("{}: does not have errors of {}; name another bundle", against->name, options.method)
+                   : fmt::format("{}: {}; see --against BUNDLE", options.method,
+                                 checked.record != nullptr ? "no study of suite quick has curves that it takes"
+                                                           : "is a method of another library, which suites judge only "
+                                                             "where they name it"));
   std::optional<compare::Side> before;
   if (has_bundle) before = compare::read_side(against->bundle);  // a damaged one is refused before anything is judged
   Workplace place(options.out);

@@ -197,6 +197,11 @@ class Check(Case):
         lines = self.check(FINE, "program_mine", "--program", command, "--against", command)
         self.assertRegex("\n".join(lines), r"  accuracy  the same bits in (\d+) of \1 rows")
 
+    def test_a_command_without_answers(self):
+        result = self.run_program("check", "program_silent", "--program", "echo program_silent")
+        self.assertEqual(result.returncode, FINDING, result)
+        self.assertIn(b"it gives no answers in 8 of 8 rows", result.stdout)
+
     # Against a commit.
 
     def repository(self, fault=""):

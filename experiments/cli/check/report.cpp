@@ -27,6 +27,7 @@ std::string labelled(const std::string& label, const std::string& text) {
 /// The errors of a method over all rows against the exact value.
 struct Errors {
   std::size_t rows = 0;
+  std::size_t failed = 0;  ///< rows of an external method that gave no answers
   double trials = 0;
   double non_finite = 0;
   std::optional<double> largest = {};     ///< empty where no row has one
@@ -58,8 +59,11 @@ Errors errors_of(const std::string& method, const std::filesystem::path& bundle)
     for (std::size_t at = 0; at < table.row_count(); ++at) {
       const tables::TableRow row(table, at);
       const bool is_exact = !row.has("baseline") || row.text("baseline") == "exact";
-      if (row.text(declared.method) == method && row.text("status") == "ok" && is_exact)
+      if (row.text(declared.method) != method || !is_exact) continue;
+      if (row.text("status") == "ok")
         errors.add(row, compare::Inputs(declared, table, at, table));
+      else if (!row.text("status").ends_with("_unsupported"))
+        ++errors.failed;
     }
   }
   return errors;
@@ -102,6 +106,10 @@ void Report::add_errors(const std::filesystem::path& bundle, const std::string& 
   auto text = fmt::format("{} rows of {}, {} trials", errors.rows, printable(cells), number::decimal(errors.trials));
   if (errors.largest) text += fmt::format("; largest error {:.4g} {}", *errors.largest, errors.where);
   if (errors.non_finite > 0) text += fmt::format("; {} results are not finite", number::decimal(errors.non_finite));
+  if (errors.failed > 0) {
+    text += fmt::format("; {} more without answers", errors.failed);
+    findings.push_back(fmt::format("it gives no answers in {} of {} rows", errors.failed, errors.rows + errors.failed));
+  }
   add("accuracy", text);
   add_bound(errors.bound_used, judged);
 }

@@ -299,6 +299,11 @@ class Faults(External):
         for sentence in ("length: it is of kind arc_length", "power: its curves are in power form, the method takes bernstein form",
                          "float: it is in float only", "t: its methods are timed, and only a shared object or a compiled-in method can be timed"):
             self.assertIn(f"program_mine: is not asked in study {sentence}\n", told)
+        high = self.program("high", "import sys\nsys.stdin.read()\nprint('program_high bernstein 7 9')")
+        self.refused(USAGE, ["run", self.suite(**SMALL), "--out", "b", "--program", high],
+                     "program_high: no study asks it, of study a: its degrees are 1, 3, the method takes 7 to 9")
+        self.refused(USAGE, ["run", self.suite(**{**SMALL, "methods": '["program_high"]'}), "--out", "b", "--program", high],
+                     "s.toml:", "program_high", "its degrees are 1, 3, the method takes 7 to 9")
 
     def test_invalid_methods_are_refused(self):
         suite = self.suite(**SMALL)

@@ -2,6 +2,7 @@
 #include "experiments/studies/external/external.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -66,6 +67,10 @@ std::string why_unasked(const suite::Study& study, const suite::ExternalMethod& 
   }
   if (record.kind != suite::ExternalKind::answers && record.form != study.form)
     return fmt::format("its curves are in {} form, the method takes {} form", name(study.form), name(record.form));
+  const auto takes = [&](int degree) { return degree >= record.min_degree && degree <= record.max_degree; };
+  if ((study.curves.empty() || study.slice) && std::ranges::none_of(study.degree, takes))
+    return fmt::format("its degrees are {}, the method takes {} to {}", fmt::join(study.degree, ", "),
+                       record.min_degree, record.max_degree);
   const auto answers_in = [&](suite::ScalarKind scalar) { return std::ranges::count(record.scalars, scalar) > 0; };
   return std::ranges::any_of(study.scalar, answers_in) ? ""
                                                        : fmt::format("it is in {} only", name(study.scalar.front()));
