@@ -98,17 +98,17 @@ class Answers final : public Method {
 
   [[nodiscard]] const suite::ExternalMethod& record() const override { return record_; }
 
-  [[nodiscard]] Answer points(const Batch& batch) const override {
+  [[nodiscard]] Answer ask(const Batch& batch) const override {
     Answer answer;
     std::size_t missing = 0;
     for (std::size_t k = 0; k < batch.count(); ++k) {
       const auto curve = batch.curve(k);
       const auto found = points_.find(
-          key_of(batch.form, batch.dimension, batch.degree, batch.t[k], curve.coefficients, curve.weights));
+          key_of(batch.form, batch.dimension, batch.degree, batch.inputs[k], curve.coefficients, curve.weights));
       if (found == points_.end() || found->second.empty())
         ++missing;
       else
-        answer.points.insert(answer.points.end(), found->second.begin(), found->second.end());
+        answer.numbers.insert(answer.numbers.end(), found->second.begin(), found->second.end());
     }
     if (missing > 0)
       return {Status::missing, {}, fmt::format("{} of {} inputs have no answer", missing, batch.count())};

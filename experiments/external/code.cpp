@@ -24,17 +24,11 @@ Status evaluate_each(const Method& method, const Batch& batch, std::vector<doubl
   const std::vector<Scalar> coefficients(batch.coefficients.begin(), batch.coefficients.end());
   const std::vector<Scalar> weights(batch.weights.begin(), batch.weights.end());
   std::vector<Scalar> computed(points.begin(), points.end());
-  try {
-    for (std::size_t k = 0; k < batch.count(); ++k) {
-      const auto t = static_cast<Scalar>(batch.t[k]);
-      kernel->prepare(batch.curve<Scalar>(k, coefficients, weights), prepared);
-      evaluate_point(prepared, std::span(&t, 1), computed.data() + k * static_cast<std::size_t>(batch.dimension));
-      if (kernel->destroy != nullptr) kernel->destroy(prepared);
-    }
-  } catch (const CurveRefused&) {
-    return Status::refused;
-  } catch (...) {
-    return Status::threw;
+  for (std::size_t k = 0; k < batch.count(); ++k) {
+    const auto t = static_cast<Scalar>(batch.inputs[k]);
+    kernel->prepare(batch.curve<Scalar>(k, coefficients, weights), prepared);
+    evaluate_point(prepared, std::span(&t, 1), computed.data() + k * static_cast<std::size_t>(batch.dimension));
+    if (kernel->destroy != nullptr) kernel->destroy(prepared);
   }
   std::copy(computed.begin(), computed.end(), points.begin());
   return Status::ok;
@@ -92,16 +86,27 @@ Answer failed(const Ended& ended) {
   return {Status::timed_out, {}, "interrupted"};
 }
 
-Answer Code::points(const Batch& batch) const {
-  const std::size_t numbers = batch.count() * static_cast<std::size_t>(batch.dimension);
+Status Code::answer(const Batch& batch, std::vector<double>& numbers) const {
+  try {
+    if (batch.problem != Problem::evaluation) return solve(batch, numbers);
+    return batch.scalar == suite::ScalarKind::float32 ? evaluate_each<float>(*this, batch, numbers)
+                                                      : evaluate_each<double>(*this, batch, numbers);
+  } catch (const CurveRefused&) {
+    return Status::refused;
+  } catch (...) {
+    return Status::threw;
+  }
+}
+
+Answer Code::ask(const Batch& batch) const {
+  const std::size_t numbers = batch.count() * batch.answer_size();
   const auto work = [&] {
-    const int answer = keep_output_for_answer();
-    // A point that was not written is not finite.
-    std::vector<double> points(numbers, std::numeric_limits<double>::quiet_NaN());
-    const Status status = batch.scalar == suite::ScalarKind::float32 ? evaluate_each<float>(*this, batch, points)
-                                                                     : evaluate_each<double>(*this, batch, points);
-    write_all(answer, {reinterpret_cast<const char*>(&status), sizeof status});
-    write_all(answer, {reinterpret_cast<const char*>(points.data()), numbers * sizeof(double)});
+    const int file = keep_output_for_answer();
+    // A number that was not written is not finite.
+    std::vector<double> computed(numbers, std::numeric_limits<double>::quiet_NaN());
+    const Status status = answer(batch, computed);
+    write_all(file, {reinterpret_cast<const char*>(&status), sizeof status});
+    write_all(file, {reinterpret_cast<const char*>(computed.data()), numbers * sizeof(double)});
   };
   constexpr std::size_t room_for_errors = 1U << 20U;
   const auto size = sizeof(Status) + numbers * sizeof(double);
@@ -109,8 +114,8 @@ Answer Code::points(const Batch& batch) const {
   if (ended.end != End::exited || ended.code != 0 || ended.output.size() != size) return failed(ended);
   Answer answer;
   std::memcpy(&answer.status, ended.output.data(), sizeof answer.status);
-  answer.points.resize(numbers);
-  std::memcpy(answer.points.data(), ended.output.data() + sizeof answer.status, numbers * sizeof(double));
+  answer.numbers.resize(numbers);
+  std::memcpy(answer.numbers.data(), ended.output.data() + sizeof answer.status, numbers * sizeof(double));
   if (answer.status != Status::ok) answer.detail = last_line(ended.errors);
   return answer;
 }

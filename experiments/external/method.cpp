@@ -5,6 +5,23 @@
 
 namespace bezierbench::external {
 
+void Batch::add(const CurveView<double>& curve, std::span<const double> given) {
+  inputs.insert(inputs.end(), given.begin(), given.end());
+  coefficients.insert(coefficients.end(), curve.coefficients.begin(), curve.coefficients.end());
+  weights.insert(weights.end(), curve.weights.begin(), curve.weights.end());
+}
+
+std::size_t Batch::answer_size() const {
+  constexpr std::size_t t_and_distance = 2;
+  const auto d = static_cast<std::size_t>(dimension);
+  switch (problem) {
+    case Problem::arc_length: return 1;
+    case Problem::projection: return t_and_distance;
+    case Problem::subdivision: return 2 * (static_cast<std::size_t>(degree) + 1) * (form == Form::rational ? d + 1 : d);
+    default: return d;
+  }
+}
+
 std::string_view name(Status status) {
   switch (status) {
     case Status::ok: return "ok";

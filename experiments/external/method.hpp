@@ -14,23 +14,37 @@
 
 #include "core/curve_view.hpp"
 #include "core/evaluate/kernel/kernel.hpp"
+#include "core/method.hpp"
 #include "experiments/external/child.hpp"
 #include "experiments/external/own_method.hpp"
 #include "experiments/suite/external.hpp"
 
 namespace bezierbench::external {
 
-/// Curves of one form, dimension and degree, each with one parameter. In float all numbers are floats.
+/// How many numbers a problem gives beside a curve: t; the ends of the part to be measured and the tolerance, relative to
+/// the length; the point; t.
+constexpr std::size_t inputs_of(Problem problem, int dimension) {
+  constexpr std::size_t part_and_tolerance = 3;
+  if (problem == Problem::arc_length) return part_and_tolerance;
+  return problem == Problem::projection ? static_cast<std::size_t>(dimension) : 1;
+}
+
+/// Curves of one form, dimension and degree, each with what a problem gives beside it. In float all numbers are floats.
 struct Batch {
+  Problem problem = Problem::evaluation;
   suite::ScalarKind scalar = suite::ScalarKind::float64;
   Form form = Form::bernstein;
   int dimension = 2;
   int degree = 0;
-  std::vector<double> t;
-  std::vector<double> coefficients;  ///< curve by curve, each point by point
-  std::vector<double> weights;       ///< curve by curve, of rational curves
+  std::vector<double> inputs = {};        ///< curve by curve: those of inputs_of()
+  std::vector<double> coefficients = {};  ///< curve by curve, each point by point
+  std::vector<double> weights = {};       ///< curve by curve, of rational curves
 
-  [[nodiscard]] std::size_t count() const { return t.size(); }
+  void add(const CurveView<double>& curve, std::span<const double> given);
+  [[nodiscard]] std::size_t count() const { return inputs.size() / inputs_of(problem, dimension); }
+  /// How many numbers an answer has: the point; the length of the part; t and the distance of the nearest point; the
+  /// control points of the left half, then of the right one, each in a rational curve followed by its weight.
+  [[nodiscard]] std::size_t answer_size() const;
   [[nodiscard]] CurveView<double> curve(std::size_t k) const { return curve<double>(k, coefficients, weights); }
   /// The same with the numbers of all curves in another type.
   template <class Scalar>
@@ -62,8 +76,8 @@ std::string_view name(Status status);
 
 struct Answer {
   Status status = Status::ok;
-  std::vector<double> points;  ///< point by point; of every input where the status is ok
-  std::string detail;          ///< for people: the method's last line on standard error, or how it ended
+  std::vector<double> numbers;  ///< answer by answer; of every input where the status is ok
+  std::string detail;           ///< for people: the method's last line on standard error, or how it ended
 };
 
 class Method {
@@ -77,8 +91,8 @@ class Method {
 
   /// The method's record in a bundle.
   [[nodiscard]] virtual const suite::ExternalMethod& record() const = 0;
-  /// The points of a batch. Safe to call from several threads.
-  [[nodiscard]] virtual Answer points(const Batch& batch) const = 0;
+  /// The answers to a batch. Safe to call from several threads.
+  [[nodiscard]] virtual Answer ask(const Batch& batch) const = 0;
   /// The kernel of a method that is code in this process, for times. It may be requested and called only in a child
   /// process, which serves one method. Null where it cannot be loaded, or does not answer in this scalar type.
   [[nodiscard]] virtual const Kernel<double>* open_kernel(int /*dimension*/, double /*zero*/) const { return nullptr; }

@@ -4,11 +4,16 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/digest.hpp"
@@ -27,28 +32,30 @@ static_assert(static_cast<int>(Form::bernstein) == BEZIERBENCH_BERNSTEIN &&
 
 /// What plugin.h declares for a scalar type.
 template <class Scalar>
-struct Interface;
-template <>
-struct Interface<double> {
-  using Curve = bezierbench_curve;
-  using Functions = bezierbench_method;
-};
-template <>
-struct Interface<float> {
-  using Curve = bezierbench_curve_float;
-  using Functions = bezierbench_method_float;
-};
+using PluginCurve = std::conditional_t<std::is_same_v<Scalar, float>, bezierbench_curve_float, bezierbench_curve>;
+template <class Scalar>
+using PluginFunctions = std::conditional_t<std::is_same_v<Scalar, float>, bezierbench_method_float, bezierbench_method>;
 
 /// The plug-in of this process, for the functions of the kernel. Only child processes set it, each once, since each
 /// serves one method. Null where it does not answer in this scalar type.
 template <class Scalar>
-const typename Interface<Scalar>::Functions* loaded = nullptr;
+const PluginFunctions<Scalar>* loaded = nullptr;
+
+decltype(&bezierbench_plugin_solve) loaded_solve = nullptr;
+
+constexpr std::array solved{std::pair(Problem::arc_length, BEZIERBENCH_ARC_LENGTH),
+                            std::pair(Problem::projection, BEZIERBENCH_PROJECTION),
+                            std::pair(Problem::subdivision, BEZIERBENCH_SUBDIVISION)};
+
+template <class Scalar>
+PluginCurve<Scalar> as_given(const CurveView<Scalar>& curve) {
+  return {static_cast<bezierbench_form>(curve.form), curve.dimension, curve.degree, curve.coefficients.data(),
+          curve.weights.empty() ? nullptr : curve.weights.data()};
+}
 
 template <class Scalar>
 void prepare(const CurveView<Scalar>& curve, void* prepared) {
-  const typename Interface<Scalar>::Curve given{static_cast<bezierbench_form>(curve.form), curve.dimension,
-                                                curve.degree, curve.coefficients.data(),
-                                                curve.weights.empty() ? nullptr : curve.weights.data()};
+  const auto given = as_given(curve);
   void* const state = loaded<Scalar>->prepare(&given);
   if (state == nullptr) throw CurveRefused();
   *static_cast<void**>(prepared) = state;
@@ -71,12 +78,12 @@ struct Description {
   int form = 0;
   int min_degree = 0;
   int max_degree = 0;
-  int in_float = 0;
-  int in_double = 0;
+  std::vector<int> scalars = {};   ///< of suite::ScalarKind
+  std::vector<int> problems = {};  ///< of Problem
 
   template <class Bytes, class Self>
   static void each_field(Bytes& bytes, Self& self) {
-    bytes(self.id, self.label, self.form, self.min_degree, self.max_degree, self.in_float, self.in_double);
+    bytes(self.id, self.label, self.form, self.min_degree, self.max_degree, self.scalars, self.problems);
   }
 };
 
@@ -96,13 +103,14 @@ const bezierbench_method& load(const std::string& file) {
   if (method->version != BEZIERBENCH_PLUGIN_VERSION)
     refuse(fmt::format("it has version {} of the interface, this program has {}", method->version,
                        BEZIERBENCH_PLUGIN_VERSION));
-  if (method->prepare != nullptr && method->evaluate != nullptr) loaded<double> = method;
-  if (const auto in_float =
-          reinterpret_cast<decltype(&bezierbench_plugin_float)>(dlsym(object, "bezierbench_plugin_float")))
-    loaded<float> = in_float();
+  loaded<double> = method->prepare != nullptr && method->evaluate != nullptr ? method : nullptr;
+  const auto in_float =
+      reinterpret_cast<decltype(&bezierbench_plugin_float)>(dlsym(object, "bezierbench_plugin_float"));
+  loaded<float> = in_float != nullptr ? in_float() : nullptr;
   if (loaded<float> != nullptr && (loaded<float>->prepare == nullptr || loaded<float>->evaluate == nullptr))
     refuse("prepare or evaluate of bezierbench_plugin_float() is missing");
-  if (method->id == nullptr || (loaded<double> == nullptr && loaded<float> == nullptr))
+  loaded_solve = reinterpret_cast<decltype(loaded_solve)>(dlsym(object, "bezierbench_plugin_solve"));
+  if (method->id == nullptr || (loaded<double> == nullptr && loaded<float> == nullptr && loaded_solve == nullptr))
     refuse("its id, prepare or evaluate is missing");
   return *method;
 }
@@ -125,9 +133,11 @@ class Plugin final : public Code {
     record_.form = static_cast<Form>(description->form);
     record_.min_degree = description->min_degree;
     record_.max_degree = description->max_degree;
-    record_.scalars.clear();
-    if (description->in_float != 0) record_.scalars.push_back(suite::ScalarKind::float32);
-    if (description->in_double != 0) record_.scalars.push_back(suite::ScalarKind::float64);
+    if (!description->scalars.empty()) record_.scalars.clear();
+    for (const int scalar : description->scalars) record_.scalars.push_back(static_cast<suite::ScalarKind>(scalar));
+    record_.problems.clear();
+    for (const int problem : description->problems) record_.problems.push_back(static_cast<Problem>(problem));
+    if (record_.problems.empty()) refuse("it solves no problem");
     if (const auto what = suite::external_id_problem(record_.id, record_.kind); !what.empty()) refuse(what);
     if (description->form < 0 || description->form > BEZIERBENCH_RATIONAL) refuse("its form is not one of plugin.h");
     if (description->min_degree < 0 || description->max_degree > max_degree ||
@@ -158,14 +168,32 @@ class Plugin final : public Code {
         &info, nullptr,   info.form,     nullptr,        destroy<Scalar>};
     return &kernel;
   }
+  Status solve(const Batch& batch, std::vector<double>& numbers) const override {
+    load(file_);
+    const auto as_asked = std::ranges::find(solved, batch.problem, [](const auto& one) { return one.first; })->second;
+    const auto each = inputs_of(batch.problem, batch.dimension);
+    for (std::size_t k = 0; k < batch.count(); ++k) {
+      const auto curve = as_given<double>(batch.curve(k));
+      if (loaded_solve(as_asked, &curve, &batch.inputs[k * each], &numbers[k * batch.answer_size()]) != 0)
+        return Status::refused;
+    }
+    return Status::ok;
+  }
   [[nodiscard]] Ended describe() const {
     const auto work = [this] {
       const int answer = keep_output_for_answer();
       const auto& method = load(file_);
       const auto text = [](const char* given) { return std::string(given == nullptr ? "" : given); };
+      Description description{text(method.id), text(method.label), static_cast<int>(method.form), method.min_degree,
+                              method.max_degree};
+      if (loaded<float> != nullptr) description.scalars.push_back(static_cast<int>(suite::ScalarKind::float32));
+      if (loaded<double> != nullptr) description.scalars.push_back(static_cast<int>(suite::ScalarKind::float64));
+      if (!description.scalars.empty()) description.problems.push_back(static_cast<int>(Problem::evaluation));
+      for (const auto& [problem, as_asked] : solved)
+        if (loaded_solve != nullptr && loaded_solve(as_asked, nullptr, nullptr, nullptr) == 0)
+          description.problems.push_back(static_cast<int>(problem));
       number::ByteWriter bytes;
-      bytes(Description{text(method.id), text(method.label), static_cast<int>(method.form), method.min_degree,
-                        method.max_degree, loaded<float> == nullptr ? 0 : 1, loaded<double> == nullptr ? 0 : 1});
+      bytes(description);
       write_all(answer, bytes.bytes());
     };
     constexpr std::size_t room = 1U << 20U;

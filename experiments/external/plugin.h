@@ -65,8 +65,21 @@ struct bezierbench_method_float {
 const struct bezierbench_method* bezierbench_plugin(void);
 
 /* Optional: the functions of the same method in float; id, form and degrees are those of bezierbench_plugin(). A method
- * that answers in float only has NULL for its `prepare` and `evaluate` there. */
+ * without points in double has NULL for its `prepare` and `evaluate` there. */
 const struct bezierbench_method_float* bezierbench_plugin_float(void);
+
+/* Problems beside points. `given` is what comes with the curve. */
+enum bezierbench_problem {
+  BEZIERBENCH_ARC_LENGTH = 1, /* given: from, to, a tolerance relative to the length; answer: the length of that part */
+  BEZIERBENCH_PROJECTION = 2, /* given: a point; answer: t in [0, 1] of the curve's point nearest to it, the distance */
+  BEZIERBENCH_SUBDIVISION = 3 /* given: t; answer: the control points of the left half, then of the right one, point by
+                                 point, each in a rational curve followed by its weight */
+};
+
+/* Optional: writes the answer and returns 0, or returns another number where the method does not solve the problem or does
+ * not take the curve. `curve` is NULL where it has to tell only whether it solves the problem. */
+int bezierbench_plugin_solve(enum bezierbench_problem problem, const struct bezierbench_curve* curve, const double* given,
+                             double* answer);
 
 #ifdef __GNUC__
 #pragma GCC visibility pop

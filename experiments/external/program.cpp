@@ -50,8 +50,8 @@ std::optional<Form> given_form(std::string_view word) {
   return std::nullopt;
 }
 
-/// Reads `ID [FORM [MIN_DEGREE MAX_DEGREE]] [float] [double]` into the record. Returns what is wrong with the line, empty
-/// if nothing is.
+/// Reads `ID [FORM [MIN_DEGREE MAX_DEGREE]] [PRECISION...] [PROBLEM...]` into the record. Returns what is wrong with the
+/// line, empty if nothing is.
 std::string read_first_line(std::string_view line, suite::ExternalMethod& record) {
   const auto words = words_of(line);
   if (words.empty()) return "its first line is empty";
@@ -71,37 +71,41 @@ std::string read_first_line(std::string_view line, suite::ExternalMethod& record
     next += 2;
   }
   std::vector<suite::ScalarKind> scalars;
+  std::vector<Problem> problems;
   for (; next < words.size(); ++next) {
     const auto scalar = suite::parse<suite::ScalarKind>(words[next]);
-    if (!scalar)
+    const auto problem = suite::parse<Problem>(words[next]);
+    if (!scalar && !problem)
       return fmt::format(
-          "\"{}\" in its first line is not the form, a degree or the precision of the line ID [FORM "
-          "[MIN_DEGREE MAX_DEGREE]] [float] [double]",
+          "\"{}\" in its first line is not the form, a degree, a precision or a problem of the line ID "
+          "[FORM [MIN_DEGREE MAX_DEGREE]] [PRECISION...] [PROBLEM...]",
           echo(words[next]));
-    scalars.push_back(*scalar);
+    if (scalar) scalars.push_back(*scalar);
+    if (problem) problems.push_back(*problem);
   }
   if (!scalars.empty()) record.scalars = std::move(scalars);
+  if (!problems.empty()) record.problems = std::move(problems);
   return {};
 }
 
-/// The `dimension` numbers of each remaining line, rounded to the scalar type of the batch.
-Answer read_points(std::string_view text, const Batch& batch) {
+/// The numbers of each remaining line, rounded to the scalar type of the batch.
+Answer read_answers(std::string_view text, const Batch& batch) {
   Answer answer;
   const auto malformed = [&](std::size_t line, std::string_view what) {
     return Answer{Status::malformed, {}, fmt::format("line {} of its answers {}", line + 2, what)};
   };
   const bool is_float = batch.scalar == suite::ScalarKind::float32;
-  answer.points.reserve(batch.count() * static_cast<std::size_t>(batch.dimension));
+  answer.numbers.reserve(batch.count() * batch.answer_size());
   for (std::size_t k = 0; k < batch.count(); ++k) {
     const auto line = next_line(text);
     if (!line) return malformed(k, "is missing");
     const auto words = words_of(*line);
-    if (words.size() != static_cast<std::size_t>(batch.dimension))
-      return malformed(k, fmt::format("has {} numbers, not {}", words.size(), batch.dimension));
+    if (words.size() != batch.answer_size())
+      return malformed(k, fmt::format("has {} numbers, not {}", words.size(), batch.answer_size()));
     for (const auto word : words) {
       const auto value = number::parse_number(word);
       if (!value) return malformed(k, fmt::format("has \"{}\", which is not a number", echo(word)));
-      answer.points.push_back(is_float ? static_cast<double>(static_cast<float>(*value)) : *value);
+      answer.numbers.push_back(is_float ? static_cast<double>(static_cast<float>(*value)) : *value);
     }
   }
   if (text.find_first_not_of("\n \t\r") != std::string_view::npos)
@@ -121,23 +125,22 @@ std::string digest_of_files(std::string_view command) {
   return lines.empty() ? std::string() : bundle::sha256_hex(lines);
 }
 
-/// What a program reads for a batch: a line `bezierbench-program 1 FORM DIMENSION DEGREE COUNT`, with the scalar type
-/// unless the program answers in double only, then a line for each input: t, the coefficients point by point, then the
-/// weights.
+/// What a program reads for a batch: a line `bezierbench-program 1 FORM DIMENSION DEGREE COUNT`, with precision and problem
+/// unless the program has only points in double, then a line for each input: what the problem gives, the coefficients point
+/// by point, then the weights.
 std::string program_input(const suite::ExternalMethod& record, const Batch& batch) {
   auto text =
       fmt::format("bezierbench-program 1 {} {} {} {}", name(batch.form), batch.dimension, batch.degree, batch.count());
-  if (record.scalars != suite::ExternalMethod().scalars) text += fmt::format(" {}", suite::name(batch.scalar));
+  const suite::ExternalMethod plain;
+  if (record.scalars != plain.scalars || record.problems != plain.problems)
+    text += fmt::format(" {} {}", suite::name(batch.scalar), name(batch.problem));
   text += '\n';
+  const auto each = inputs_of(batch.problem, batch.dimension);
   for (std::size_t k = 0; k < batch.count(); ++k) {
-    text += number::hexadecimal(batch.t[k]);
     const auto curve = batch.curve(k);
-    for (const auto values : {curve.coefficients, curve.weights})
-      for (const double value : values) {
-        text += ' ';
-        text += number::hexadecimal(value);
-      }
-    text += '\n';
+    for (const auto values : {std::span(batch.inputs).subspan(k * each, each), curve.coefficients, curve.weights})
+      for (const double value : values) text += number::hexadecimal(value) + ' ';
+    text.back() = '\n';
   }
   return text;
 }
@@ -161,7 +164,7 @@ class Program final : public Method {
 
   [[nodiscard]] const suite::ExternalMethod& record() const override { return record_; }
 
-  [[nodiscard]] Answer points(const Batch& batch) const override {
+  [[nodiscard]] Answer ask(const Batch& batch) const override {
     const auto ended = run(batch, limits_);
     if (ended.end != End::exited || ended.code != 0) return failed(ended);
     std::string_view text = ended.output;
@@ -169,14 +172,14 @@ class Program final : public Method {
     suite::ExternalMethod again = record_;
     if (!first || !read_first_line(*first, again).empty() || again != record_)
       return {Status::malformed, {}, "the first line of its answers differs from the one at the start of the run"};
-    return read_points(text, batch);
+    return read_answers(text, batch);
   }
 
  private:
   [[nodiscard]] Ended run(const Batch& batch, const Limits& limits) const {
     constexpr std::size_t longest_number = 64;
     constexpr std::size_t room = 1U << 20U;
-    const auto numbers = batch.count() * static_cast<std::size_t>(batch.dimension);
+    const auto numbers = batch.count() * batch.answer_size();
     const auto work = [this] {
       execl("/bin/sh", "sh", "-c", record_.source.c_str(), nullptr);
       constexpr int not_found = 127;

@@ -209,10 +209,9 @@ void tell_unasked(const RunRequest& request, const Plan& plan) {
     if (count == all) {
       std::vector<std::string> sentences;
       for (const auto& one : studies) sentences.push_back(sentence(one));
-      throw Failure(Exit::usage,
-                    fmt::format("{}: no study asks it, of {}; choose a suite with a study of kind accuracy "
-                                "for its form of curves, degrees and precision",
-                                method.id, fmt::join(sentences, ", of ")));
+      throw Failure(Exit::usage, fmt::format("{}: no study asks it, of {}; choose a suite with a study of its problem, "
+                                             "for its form of curves, degrees and precision",
+                                             method.id, fmt::join(sentences, ", of ")));
     }
     if (request.telling != Telling::nothing)
       for (const auto& one : studies) note(fmt::format("{}: is not asked in {}", method.id, sentence(one)));

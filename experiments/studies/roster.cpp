@@ -25,10 +25,6 @@ constexpr std::array roster{&accuracy_kind,   &search_kind,        &conversion_k
                             &hard_cases_kind, &guarantees_kind,    &exhaustive_kind, &grid_kind,
                             &bspline_kind};
 
-const StudyKind& find(const suite::Study& study) {
-  return **std::ranges::find_if(roster, [&](const StudyKind* one) { return is_kind(study, *one); });
-}
-
 bool means_an_evaluator(const std::string& pattern) {
   constexpr int any_dimension = 2;
   return std::ranges::any_of(judge::methods<double>(any_dimension),
@@ -63,15 +59,19 @@ const suite::Kind& kind(std::string_view id) {
   return **found;
 }
 
+const StudyKind& study_kind(const suite::Study& study) {
+  return **std::ranges::find_if(roster, [&](const StudyKind* one) { return is_kind(study, *one); });
+}
+
 bool is_kind(const suite::Study& study, const StudyKind& kind) { return &suite::kind_of(study) == &kind.asks; }
 
 std::unique_ptr<run::Job> make_job(const suite::Study& study, const run::JobContext& context) {
-  return find(study).make(study, context);
+  return study_kind(study).make(study, context);
 }
 
 std::vector<std::vector<std::string>> tables_of(const suite::Study& study) {
   std::vector<std::vector<std::string>> all;
-  for (std::string_view rest : find(study).tables) {
+  for (std::string_view rest : study_kind(study).tables) {
     if (rest.empty()) continue;
     auto& one_of = all.emplace_back();
     for (std::size_t bar = 0; bar != std::string_view::npos; rest.remove_prefix(std::min(bar, rest.size() - 1) + 1)) {

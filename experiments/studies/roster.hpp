@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/method.hpp"
+#include "experiments/external/method.hpp"
 #include "experiments/race/race.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/suite/kind.hpp"
@@ -27,6 +28,9 @@ struct StudyKind {
   std::optional<race::TimedProblem> timed = {};  ///< how timing studies race the methods of `asks.problem`
   /// The methods of a companion problem; null for any other kind.
   std::vector<const MethodInfo*> (*methods)() = nullptr;
+  /// The work of one study on an external method (studies/external); null where such methods do not solve its problem.
+  std::unique_ptr<run::Job> (*make_external)(const suite::Study& study, const suite::ExternalMethod& record,
+                                             const external::Method* given, const run::JobContext& context) = nullptr;
 };
 
 extern const StudyKind accuracy_kind;
@@ -38,6 +42,7 @@ std::span<const suite::Kind* const> kinds();
 const suite::Kind& kind(std::string_view id);
 /// The methods of every companion problem, kind by kind in roster order, then those of other libraries.
 std::vector<const MethodInfo*> companion_infos();
+const StudyKind& study_kind(const suite::Study& study);
 /// Whether the study is of this kind.
 bool is_kind(const suite::Study& study, const StudyKind& kind);
 

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t max_id_length = 64;
 
 /// The keys that records of earlier versions do not have.
-constexpr std::array<std::string_view, 1> later_keys{"scalars"};
+constexpr std::array<std::string_view, 2> later_keys{"scalars", "problems"};
 
 /// The keys of an [[external]] table with their places in a record; `Method` is const to write, else to read.
 template <class Method, class Visit>
@@ -28,6 +28,7 @@ void each_key(Method& method, Visit visit) {
   visit("min_degree", method.min_degree);
   visit("max_degree", method.max_degree);
   visit("scalars", method.scalars);
+  visit("problems", method.problems);
   visit("source", method.source);
   visit("sha256", method.sha256);
 }

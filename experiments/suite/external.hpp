@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/curve_view.hpp"
+#include "core/method.hpp"
 #include "experiments/suite/names.hpp"
 
 namespace bezierbench::suite {
@@ -27,6 +28,14 @@ inline constexpr std::array<Word<ExternalKind>, 4> words<ExternalKind>{{{Externa
                                                                         {ExternalKind::program, "program"},
                                                                         {ExternalKind::answers, "answers"}}};
 
+/// The problems that external methods can solve.
+template <>
+inline constexpr std::array<Word<Problem>, 4> words<Problem>{
+    {{Problem::evaluation, bezierbench::name(Problem::evaluation)},
+     {Problem::arc_length, bezierbench::name(Problem::arc_length)},
+     {Problem::projection, bezierbench::name(Problem::projection)},
+     {Problem::subdivision, bezierbench::name(Problem::subdivision)}}};
+
 struct ExternalMethod {
   std::string id;
   ExternalKind kind = ExternalKind::program;
@@ -35,6 +44,7 @@ struct ExternalMethod {
   int min_degree = 0;
   int max_degree = bezierbench::max_degree;
   std::vector<ScalarKind> scalars{ScalarKind::float64};  ///< in which it answers
+  std::vector<Problem> problems{Problem::evaluation};    ///< that it solves
   std::string source;                                    ///< the command, or the file as it was named; empty for `own`
   std::string sha256;  ///< of the file, or of the `sha256sum` lines of the files that the command names; may be empty
   friend bool operator==(const ExternalMethod&, const ExternalMethod&) = default;

@@ -15,6 +15,7 @@ const ExternalMethod program{.id = "program_mine",
                              .min_degree = 1,
                              .max_degree = 20,
                              .scalars = {ScalarKind::float32, ScalarKind::float64},
+                             .problems = {Problem::projection, Problem::evaluation},
                              .source = "python3 'a \"b\".py'",
                              .sha256 = std::string(64, 'a')};
 const ExternalMethod plugin{.id = "plugin_mine",
@@ -41,7 +42,7 @@ TEST(External, RefusesInvalidRecords) {
   for (const auto& wrong :
        {with("program_mine", "plugin_mine"), with("program_mine", "program_Mine"), with("\"program\"", "\"magic\""),
         with("min_degree = 1", "min_degree = 21"), with("max_degree = 20", "max_degree = 2000"), with("label", "lable"),
-        text + text, std::string("external = 1\n"), std::string("external = [1]\n")})
+        with("projection", "fitting"), text + text, std::string("external = 1\n"), std::string("external = [1]\n")})
     EXPECT_THROW(parse_external(wrong, "f.toml"), Failure) << wrong;
 }
 

@@ -217,14 +217,11 @@ Exit replay_external(const std::string& id, const WorstRecord& record, const sam
                                            id, name));
   judge::TrialInputs<Scalar> inputs(cell.form, cell);
   inputs.assign(record.input(cell));
-  const auto curve = inputs.curve();
-  const auto answer = method->points({record.scalar(),
-                                      cell.form,
-                                      cell.dimension,
-                                      cell.degree,
-                                      {inputs.t()},
-                                      {curve.coefficients.begin(), curve.coefficients.end()},
-                                      {curve.weights.begin(), curve.weights.end()}});
+  external::Batch batch{
+      .scalar = record.scalar(), .form = cell.form, .dimension = cell.dimension, .degree = cell.degree};
+  const double t = inputs.true_t();
+  batch.add(inputs.true_curve(), std::span(&t, 1));
+  const auto answer = method->ask(batch);
   if (answer.status != external::Status::ok) {
     say(fmt::format("{}: {} at this input: {}; see docs/own_method.md", name, external::name(answer.status),
                     answer.detail));
@@ -232,7 +229,7 @@ Exit replay_external(const std::string& id, const WorstRecord& record, const sam
   }
   const studies::JudgedExternal judged(method->record(), cell.form, method);
   const auto& kernel = judged.described<Scalar>(cell.dimension);
-  const std::vector<Scalar> point(answer.points.begin(), answer.points.end());
+  const std::vector<Scalar> point(answer.numbers.begin(), answer.numbers.end());
   judge::PointJudge<Scalar> judge;
   return print_replay(id, record, cell, &kernel, inputs, judge,
                       judge.judge(kernel, inputs, std::span<const Scalar>(point)));

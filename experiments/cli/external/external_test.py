@@ -42,10 +42,10 @@ class External(Case):
         return [row for row in rows((self.folder / bundle / table).read_text())
                 if row["method"].startswith(("plugin_", "program_", "answers_", "own_"))]
 
-    def assert_others_unchanged(self, with_external, without):
+    def assert_others_unchanged(self, with_external, without, tables=("accuracy.csv", "worst.csv", "reference.csv")):
         """All deterministic rows of other methods are those of a run without the method, byte for byte."""
-        theirs_only = {row["method"] for row in self.external_rows(with_external)}
-        for name in ("accuracy.csv", "worst.csv", "reference.csv", "digests.csv"):
+        theirs_only = {row["method"] for table in tables for row in self.external_rows(with_external, table)}
+        for name in (*tables, "digests.csv"):
             lines = (self.folder / without / name).read_text().splitlines()
             theirs = (self.folder / with_external / name).read_text().splitlines()
             self.assertEqual([line for line in theirs if not theirs_only.intersection(line.split(","))], lines, name)
@@ -148,6 +148,56 @@ class Ways(External):
         for method in ("program_rounds", "plugin_optional"):
             self.replayed("b", method, *given)
         self.refused(USAGE, ["run", self.suite(**SMALL), "--out", "c", "--plugin", optional], "study a: it is in double only")
+
+    def test_other_problems(self):
+        """The halves of a plug-in have the numbers of our method; lengths by chords have the error of chords, the fourth part
+        with twice as many; the nearest of 501 points is at most 1/1000 of t away."""
+        text = """
+            import math, sys
+            header = (sys.stdin.readline() + " double none").split()[:8]
+            dimension, problem = int(header[3]), header[7]
+            print("program_chords_STEPS bernstein 1 20 arc_length projection")
+            def point(t):
+                row = b
+                while len(row) > 1:
+                    row = [[(1 - t) * x + t * y for x, y in zip(p, q)] for p, q in zip(row, row[1:])]
+                return row[0]
+            for line in sys.stdin:
+                numbers = [float.fromhex(word) for word in line.split()]
+                count = 3 if problem == "arc_length" else dimension
+                given, rest = numbers[:count], numbers[count:]
+                b = [rest[k:k + dimension] for k in range(0, len(rest), dimension)]
+                if problem == "arc_length":
+                    ends = [point(given[0] + (given[1] - given[0]) * k / STEPS) for k in range(STEPS + 1)]
+                    print(math.fsum(map(math.dist, ends, ends[1:])))
+                else:
+                    distance, t = min((math.dist(point(k / 500), given), k / 500) for k in range(501))
+                    print(t, distance)
+            """.replace("\n            ", "\n")
+        optional = compiled(self.folder, EXAMPLES / "plugin/optional.c", "optional.so")
+        commands = [word for steps in ("100", "200") for word in ("--program", self.program(f"chords{steps}", text.replace("STEPS", steps)))]
+        common = {"curve": '"bernstein"', "degree": "[3]"}
+        suite = self.suite({"id": '"length"', "kind": '"arc_length"', **common, "trials": "20", "t_interval": "[[0.25, 0.5]]",
+                            "tolerance": "[1e-3, 1e-6]"},
+                           {"id": '"nearest"', "kind": '"projection"', **common, "trials": "5"},
+                           {"id": '"halves"', "kind": '"subdivision"', **common, "trials": "300"})
+        self.bundle(suite, name="without")
+        self.bundle(suite, *commands, "--plugin", optional)
+        self.assert_others_unchanged("b", "without", ("arc_length.csv", "projection.csv", "subdivision.csv"))
+        given, ours = self.external_rows("b", "subdivision.csv"), self.own_rows("b", "subdivision.csv")
+        self.assert_numbers_of(given, [row for row in ours if row["method"] == "de_casteljau_split"])
+        lengths = self.external_rows("b", "arc_length.csv")
+        self.assertEqual([row["tolerance"] for row in lengths], ["0.001", "1e-06"] * 2)
+        for coarse, fine in zip(lengths[:2], lengths[2:]):
+            self.assertAlmostEqual(float(coarse["mean_error"]) / float(fine["mean_error"]), 4, delta=0.1)
+        for row in self.external_rows("b", "projection.csv"):
+            self.assertLessEqual(float(row["p50_t_error"]), 1 / 1000, row)
+        broken = text.replace("STEPS", "0").replace("/ 0)", "/ 1)").replace("print(math", "sys.exit(3); print(math")
+        result = self.run_program("run", suite, "--only", "length", "--program", self.program("broken", broken), "--quiet", "--out", "d")
+        self.assertEqual(result.returncode, FINE, result)
+        self.assert_complete("d")
+        self.assertEqual({(row["status"], row["max_error"], row["non_finite"]) for row in self.external_rows("d", "arc_length.csv")},
+                         {("exited", "", "")})
 
     def test_answers(self):
         suite = self.suite(**{**SMALL, "trials": "50"})

@@ -93,13 +93,15 @@ std::string methods_csv(std::span<const suite::ExternalMethod> external) {
   tables::Tables tables;
   for (const auto* info : every_method()) tables.add(row_of(*info));
   for (const auto& method : external)
-    tables.add(row_of({.id = method.id,
-                       .label = method.label,
-                       .form = method.form,
-                       .min_degree = method.min_degree,
-                       .max_degree = method.max_degree,
-                       .flops = "not known",
-                       .citation = "external method"}));
+    for (const auto problem : method.problems)
+      tables.add(row_of({.id = method.id,
+                         .label = method.label,
+                         .problem = problem,
+                         .form = method.form,
+                         .min_degree = method.min_degree,
+                         .max_degree = method.max_degree,
+                         .flops = "not known",
+                         .citation = "external method"}));
   return tables.table(methods_name).text();
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a plug-in may export beside its method in double, here without that: the method in float. */
+/* What a plug-in may export beside its method in double, here without that: the method in float, and halves. */
 #include <bezierbench/plugin.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,6 +29,22 @@ static void evaluate(const void* prepared, const float* t, size_t count, float* 
         for (int i = 0; i < last; ++i) b[i] = (1 - t[k]) * b[i] + t[k] * b[i + 1];
       points[k * (size_t)p->dimension + (size_t)axis] = b[0];
     }
+}
+
+int bezierbench_plugin_solve(enum bezierbench_problem problem, const struct bezierbench_curve* curve, const double* given,
+                             double* answer) {
+  if (problem != BEZIERBENCH_SUBDIVISION) return 1;
+  if (curve == NULL) return 0;
+  const int n = curve->degree;
+  const int d = curve->dimension;
+  const double t = given[0];
+  double* right = answer + (n + 1) * d;
+  memcpy(right, curve->points, sizeof(double) * (size_t)((n + 1) * d));
+  for (int level = 0; level <= n; ++level) { /* right[0] is the next point of the left half */
+    memcpy(answer + level * d, right, sizeof(double) * (size_t)d);
+    for (int i = 0; i < (n - level) * d; ++i) right[i] = (1 - t) * right[i] + t * right[i + d];
+  }
+  return 0;
 }
 
 static const struct bezierbench_method method = {

@@ -8,6 +8,7 @@
 
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/studies/accuracy/accuracy_cell.hpp"
+#include "experiments/studies/external/external.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/timing/timed_evaluation.hpp"
 #include "experiments/suite/keys.hpp"
@@ -105,6 +106,7 @@ extern constexpr StudyKind accuracy_kind{.asks = {.id = "accuracy",
                                                   .check = check_accuracy},
                                          .make = accuracy_job,
                                          .tables = {"accuracy|unstable", "reference"},
-                                         .timed = timed_evaluation};
+                                         .timed = timed_evaluation,
+                                         .make_external = external_accuracy_job};
 
 }  // namespace bezierbench::studies

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "experiments/external/method.hpp"
 #include "experiments/judge/drawn_curves.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/trial_problem.hpp"
@@ -81,6 +82,10 @@ class ArcLengthProblem {
   void ask(const Kernel& method, const Drawn& drawn, double tolerance, Answer& answer) const {
     answer = method.measure(drawn.curve, interval_.min, interval_.max, tolerance);
   }
+  void give(const Drawn& drawn, double tolerance, external::Batch& batch) const {
+    batch.add(drawn.curve, std::array{interval_.min, interval_.max, tolerance});
+  }
+  static Kernel described(const MethodInfo& info, int dimension) { return {&info, dimension, nullptr}; }
   static std::array<std::span<double>, 1> numbers(Answer& answer) { return {std::span(&answer.length, 1)}; }
   static void judge(const Kernel& method, const Drawn& drawn, double tolerance, const Answer& answer,
                     std::uint64_t number, Errors& errors);

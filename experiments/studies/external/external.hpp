@@ -7,6 +7,8 @@
 #include <array>
 #include <atomic>
 #include <memory>
+#include <mutex>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -45,6 +47,9 @@ class JudgedExternal {
   }
   /// Throws std::logic_error where it was not given.
   [[nodiscard]] const external::Method& method() const;
+  /// The answer to a batch of a part of the job; without numbers where the method fails, where it took too long for another
+  /// batch of this part, and in an interrupted run.
+  [[nodiscard]] external::Answer ask(const suite::Study& study, std::size_t part, const external::Batch& batch) const;
   /// Reports the first failure of this job on standard error.
   void report(const suite::Study& study, const external::Answer& answer) const;
 
@@ -57,6 +62,8 @@ class JudgedExternal {
   MethodInfo info_;  ///< refers to the record
   std::tuple<Described<float>, Described<double>> described_;
   mutable std::atomic_flag reported_;
+  mutable std::mutex mutex_;
+  mutable std::set<std::size_t> late_;  ///< parts in which a batch took too long
 };
 
 std::unique_ptr<run::Job> external_accuracy_job(const suite::Study& study, const suite::ExternalMethod& record,

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Errors of an external method. A block is one batch, in a process of its own. A batch holds trials of several replicates
 // where each has few, since starting a process may take as long as a thousand answers.
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <atomic>
-#include <cmath>
 #include <deque>
 #include <optional>
 #include <span>
@@ -14,7 +10,6 @@
 
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/trial_inputs.hpp"
-#include "experiments/run/interruption.hpp"
 #include "experiments/studies/accuracy/accuracy_cell.hpp"
 #include "experiments/studies/external/external.hpp"
 
@@ -50,7 +45,6 @@ class ExternalAccuracyJob final : public run::JobOf<ExternalTally> {
           judge::with_scalar(scalar, [&]<class Scalar>(Scalar /*zero*/) {
             cells_.emplace_back(std::in_place_type<AccuracyCell<Scalar>>, study_, context, cell,
                                 method_.described<Scalar>(cell.dimension));
-            late_.emplace_back(false);
           });
   }
 
@@ -120,8 +114,6 @@ class ExternalAccuracyJob final : public run::JobOf<ExternalTally> {
   suite::Study study_;
   JudgedExternal method_;
   std::deque<Cell> cells_;  ///< elements must not move: a cell holds references to itself
-  mutable std::deque<std::atomic<bool>>
-      late_;  ///< cells in which a block took too long; their other blocks are skipped
 };
 
 template <class Scalar>
@@ -131,10 +123,8 @@ void ExternalAccuracyJob::add_inputs(const AccuracyCell<Scalar>& cell, std::size
   const auto [first, end] = cell.trials_of(block);
   for (auto trial = first; trial < end; ++trial) {
     inputs.draw(cell.sampler(), trial);
-    const auto curve = inputs.curve();
-    batch.t.push_back(inputs.t());
-    batch.coefficients.insert(batch.coefficients.end(), curve.coefficients.begin(), curve.coefficients.end());
-    batch.weights.insert(batch.weights.end(), curve.weights.begin(), curve.weights.end());
+    const double t = inputs.true_t();
+    batch.add(inputs.true_curve(), std::span(&t, 1));
   }
 }
 
@@ -159,28 +149,16 @@ judge::CellTally ExternalAccuracyJob::judged(const AccuracyCell<Scalar>& cell, s
 
 template <class Scalar>
 ExternalTally ExternalAccuracyJob::work(const AccuracyCell<Scalar>& cell, std::size_t block) const {
-  const std::size_t part = part_of(block);
   const std::size_t batch_number = block % blocks_per_part();
-  const auto nothing = [&](Status status) {
-    return ExternalTally{judged(cell, batch_number, {}), static_cast<std::uint8_t>(status)};
-  };
-  if (!method_.info().supports<Scalar>(cell.cell().degree)) return nothing(Status::ok);
-  if (late_[part]) return nothing(Status::timed_out);
-  external::Batch batch{
-      judge::ScalarFacts<Scalar>::kind, study_.form, cell.cell().dimension, cell.cell().degree, {}, {}, {}};
+  if (!method_.info().supports<Scalar>(cell.cell().degree)) return {judged(cell, batch_number, {}), 0};
+  external::Batch batch{.scalar = judge::ScalarFacts<Scalar>::kind,
+                        .form = study_.form,
+                        .dimension = cell.cell().dimension,
+                        .degree = cell.cell().degree};
   const auto [first, end] = blocks_in(batch_number);
   for (auto k = first; k < end; ++k) add_inputs(cell, k, batch);
-  const auto answer = method_.method().points(batch);
-  if (run::interrupted()) return nothing(Status::ok);  // the engine drops unfinished blocks
-  if (answer.status == Status::ok) {
-    const auto lost = std::ranges::count_if(answer.points, [](double x) { return !std::isfinite(x); });
-    if (lost > 0)
-      method_.report(study_, {Status::non_finite, {}, fmt::format("{} of {} coordinates", lost, answer.points.size())});
-    return {judged(cell, batch_number, answer.points), 0};
-  }
-  if (answer.status == Status::timed_out) late_[part] = true;
-  method_.report(study_, answer);
-  return nothing(answer.status);
+  const auto answer = method_.ask(study_, part_of(block), batch);
+  return {judged(cell, batch_number, answer.numbers), static_cast<std::uint8_t>(answer.status)};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "experiments/external/method.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
@@ -94,6 +95,8 @@ class ProjectionProblem {
 
   void draw(std::uint64_t number, Drawn& drawn) const;
   static void ask(const Kernel& method, const Drawn& drawn, double tolerance, Answer& foot);
+  static void give(const Drawn& drawn, double tolerance, external::Batch& batch);
+  static Kernel described(const MethodInfo& info, int dimension) { return {&info, dimension, nullptr}; }
   static std::array<std::span<double>, 2> numbers(Answer& foot) {
     return {std::span(&foot.t, 1), std::span(&foot.distance, 1)};
   }

@@ -49,6 +49,10 @@ void ProjectionProblem::ask(const Kernel& method, const Drawn& drawn, double /*t
   foot = method.project(curve_of(drawn.placed), drawn.placed.point);
 }
 
+void ProjectionProblem::give(const Drawn& drawn, double /*tolerance*/, external::Batch& batch) {
+  batch.add(curve_of(drawn.placed), drawn.placed.point);
+}
+
 void ProjectionProblem::judge(const Kernel& method, const Drawn& drawn, double /*tolerance*/, const Answer& foot,
                               std::uint64_t number, Errors& errors) {
   errors.candidates.add(static_cast<std::uint64_t>(foot.candidates));

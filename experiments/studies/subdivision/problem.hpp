@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "experiments/external/method.hpp"
 #include "experiments/judge/drawn_curves.hpp"
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
@@ -96,6 +97,13 @@ class SubdivisionProblem {
   }
   static void ask(const Kernel& method, const Drawn& drawn, double /*tolerance*/, Answer& answer) {
     compute_halves(method, drawn.curve, drawn.trial.t, answer);
+  }
+  static void give(const Drawn& drawn, double /*tolerance*/, external::Batch& batch) {
+    batch.add(drawn.curve, std::span(&drawn.trial.t, 1));
+  }
+  static Kernel described(const MethodInfo& info, int dimension) {
+    static constexpr SplitPromises none{};
+    return {&info, &none, nullptr, dimension, nullptr};
   }
   static std::array<std::span<double>, 1> numbers(Answer& answer) { return {answer}; }
   static void judge(const Kernel& method, const Drawn& drawn, double tolerance, const Answer& answer,

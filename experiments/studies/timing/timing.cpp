@@ -10,6 +10,7 @@
 #include "experiments/race/race.hpp"
 #include "experiments/race/timed_inputs.hpp"
 #include "experiments/run/interruption.hpp"
+#include "experiments/studies/external/external.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/timing/racing_job.hpp"
 #include "experiments/studies/timing/timing_rows.hpp"
@@ -183,6 +184,7 @@ extern constexpr StudyKind timing_kind{.asks = {.id = "timing",
                                                 .has_baseline = true,
                                                 .check = check_timing},
                                        .make = timing_job,
-                                       .tables = {"timing|cost"}};
+                                       .tables = {"timing|cost"},
+                                       .make_external = external_timing_job};
 
 }  // namespace bezierbench::studies

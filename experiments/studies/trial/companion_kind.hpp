@@ -4,6 +4,7 @@
 
 #include "experiments/race/timed_companion.hpp"
 #include "experiments/studies/roster.hpp"
+#include "experiments/studies/trial/external_trial.hpp"
 #include "experiments/studies/trial/trial_study.hpp"
 
 namespace bezierbench::studies {
@@ -14,7 +15,9 @@ template <StudiedProblem P>
 constexpr StudyKind companion_kind(suite::Kind asks, std::array<std::string_view, 2> tables = {P::table},
                                    race::Size size = race::Size::unclaimed) {
   asks.problem = P::problem;
-  return {asks, trial_job<P>, tables, race::timed_companion<P>(size), judge::infos<P>};
+  StudyKind kind{asks, trial_job<P>, tables, race::timed_companion<P>(size), judge::infos<P>};
+  if constexpr (ExternalProblem<P>) kind.make_external = external_trial_job<P>;
+  return kind;
 }
 
 }  // namespace bezierbench::studies

@@ -54,17 +54,27 @@ concept StudiedProblem = judge::TrialProblem<P> &&
   { P::failures[0].trials(row) } -> std::same_as<const metric::TrialCount&>;
 };
 
+/// The errors of a part, row by row.
+template <class Errors>
+struct TrialErrors {
+  std::vector<Errors> rows;
+  std::uint8_t status = 0;  ///< of an external method: the worst external::Status of its blocks
+
+  template <class Bytes, class Self>
+  static auto each_field(Bytes& bytes, Self& self) {
+    return bytes(self.rows, self.status);
+  }
+  void merge(const TrialErrors& other) {
+    metric::merge_fields(rows, other.rows);
+    status = std::max(status, other.status);
+  }
+};
+
 template <StudiedProblem P>
-class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
+class TrialJob : public run::JobOf<TrialErrors<typename P::Errors>> {
  public:
-  TrialJob(const suite::Study& study, const run::JobContext& context)
-      : study_(study), context_(context), blocks_(trials(), 1, P::block_trials) {
-    judge::check_inputs(study_);
-    tolerances_ = judge::tolerances_of(study_, P::axes);
-    for (auto& part : judge::parts_of(study_, P::axes)) {
-      auto methods = judge::chosen_trial_kernels<P>(study_, part.cell.dimension);
-      parts_.push_back({std::move(part), std::move(methods)});
-    }
+  TrialJob(const suite::Study& study, const run::JobContext& context) : TrialJob(study, context, P::block_trials) {
+    for (Part& part : parts_) part.methods = judge::chosen_trial_kernels<P>(study_, part.part.cell.dimension);
     judge::require_form(study_, std::ranges::any_of(parts_, [](const Part& part) { return !part.methods.empty(); }));
   }
 
@@ -79,7 +89,7 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
     return sum;
   }
   void write(tables::Tables& tables) const override {
-    each_row([&](const Row& row) { tables.add(row_of(row)); });
+    each_row([&](const Row& row, std::size_t part) { tables.add(row_of(row, failure(part))); });
     if constexpr (requires { P::write_example(tables, study_, context_.seed); })
       P::write_example(tables, study_, context_.seed);
   }
@@ -93,7 +103,7 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
   [[nodiscard]] std::vector<run::Violation> violations() const override {
     std::vector<run::Violation> all;
-    each_row([&](const Row& row) {
+    each_row([&](const Row& row, std::size_t /*part*/) {
       for (const auto& failure : P::failures)
         if (const metric::TrialCount& failed = failure.trials(row); failed.count > 0)
           all.push_back({where(row, failure.what, failed.first), failed.count, failure.broken});
@@ -102,9 +112,25 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
   }
 
  protected:
-  [[nodiscard]] metric::Rows<typename P::Errors> work(std::size_t block) const override {
+  using Row = typename P::Row;
+  using Tally = TrialErrors<typename P::Errors>;
+
+  struct Part {
+    judge::TrialPart part;
+    std::vector<const typename P::Kernel*> methods;
+  };
+
+  /// Of parts without methods.
+  TrialJob(const suite::Study& study, const run::JobContext& context, std::int64_t block_trials)
+      : study_(study), context_(context), blocks_(trials(), 1, block_trials) {
+    judge::check_inputs(study_);
+    tolerances_ = judge::tolerances_of(study_, P::axes);
+    for (auto& part : judge::parts_of(study_, P::axes)) parts_.push_back({std::move(part), {}});
+  }
+
+  [[nodiscard]] Tally work(std::size_t block) const override {
     const Part& part = parts_[this->part_of(block)];
-    metric::Rows<typename P::Errors> tally;
+    Tally tally;
     tally.rows.resize(rows_of(part));
     if (std::ranges::none_of(part.methods, [&](const auto* method) { return takes(*method, part); })) return tally;
     const P problem = problem_of(part);
@@ -114,14 +140,8 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
     });
     return tally;
   }
-
- private:
-  using Row = typename P::Row;
-
-  struct Part {
-    judge::TrialPart part;
-    std::vector<const typename P::Kernel*> methods;
-  };
+  /// What the rows of this part have as their status in place of numbers; empty where they have numbers.
+  [[nodiscard]] virtual std::string_view failure(std::size_t /*part*/) const { return {}; }
 
   [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
   [[nodiscard]] std::size_t rows_of(const Part& part) const { return part.methods.size() * tolerances_.size(); }
@@ -136,6 +156,24 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
   [[nodiscard]] static bool takes(const typename P::Kernel& method, const Part& part) {
     return judge::takes<P>(*method.info, part.part.cell);
   }
+  /// Calls `use`, which draws the trial of this number.
+  template <class Use>
+  void with_truth(const Part& part, std::uint64_t number, const Use& use) const {
+    try {
+      use();
+    } catch (const reference::NotCertain& error) {
+      throw Failure(Exit::usage, fmt::format("{}, trial {}: {}; leave this cell out of the suite",
+                                             describe(part.part.cell), number, error.what()));
+    }
+  }
+
+  suite::Study study_;
+  run::JobContext context_;
+  run::TrialBlocks blocks_;
+  std::vector<double> tolerances_;
+  std::vector<Part> parts_;
+
+ private:
   [[nodiscard]] std::string describe(const sample::Cell& cell) const {
     return tables::describe(study_, cell, suite::ScalarKind::float64);
   }
@@ -143,7 +181,7 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
   /// Judges one trial by every method at every tolerance.
   void judge(const P& problem, const Part& part, std::uint64_t number, typename P::Drawn& drawn,
              std::vector<typename P::Errors>& rows) const {
-    try {
+    with_truth(part, number, [&] {
       problem.draw(number, drawn);
       std::size_t k = 0;
       for (const double tolerance : tolerances_)
@@ -154,18 +192,15 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
           problem.ask(*method, drawn, tolerance, answer);
           problem.judge(*method, drawn, tolerance, answer, number, errors);
         }
-    } catch (const reference::NotCertain& error) {
-      throw Failure(Exit::usage, fmt::format("{}, trial {}: {}; leave this cell out of the suite",
-                                             describe(part.part.cell), number, error.what()));
-    }
+    });
   }
 
-  /// Visits all rows, part by part.
+  /// Visits all rows, part by part, with the number of their part.
   template <class Visit>
   void each_row(Visit&& visit) const {
     for (std::size_t p = 0; p < parts_.size(); ++p)
       each_row(parts_[p], [&](const auto& values, const auto& method, std::size_t number) {
-        visit(Row{parts_[p].part.cell, values, method, trials(), this->state(p).rows.at(number)});
+        visit(Row{parts_[p].part.cell, values, method, trials(), this->state(p).rows.at(number)}, p);
       });
   }
   /// Visits the rows of a part: by tolerance, then by method in the order of the study.
@@ -188,11 +223,11 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
     for (const judge::CaseColumn& column : P::case_columns) written.set(column.name, column.field(row.values));
     return written;
   }
-  [[nodiscard]] tables::Row row_of(const Row& row) const {
+  [[nodiscard]] tables::Row row_of(const Row& row, std::string_view failure) const {
     const bool taken = judge::takes<P>(*row.method.info, row.cell);
     tables::Row written = key_row(row);
-    written.set("status", taken ? "ok" : "degree_unsupported");
-    if (taken)
+    written.set("status", !taken ? "degree_unsupported" : failure.empty() ? "ok" : failure);
+    if (taken && failure.empty())
       for (const auto& column : P::columns) written.set(column.name, column.field(row));
     return written;
   }
@@ -205,12 +240,6 @@ class TrialJob final : public run::JobOf<metric::Rows<typename P::Errors>> {
     if (!what.empty()) text += fmt::format(", {}", what);
     return text + fmt::format(", first at trial {}", first);
   }
-
-  suite::Study study_;
-  run::JobContext context_;
-  run::TrialBlocks blocks_;
-  std::vector<double> tolerances_;
-  std::vector<Part> parts_;
 };
 
 /// The job of the study. Throws Failure(usage) for inputs that the problem does not take, and where no method takes
