@@ -18,34 +18,15 @@
 #include <map>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "experiments/failure.hpp"
 
 namespace bezierbench::race {
 namespace {
 
-/// What a file says of the rival whose counts it holds.
-struct Counted {
-  std::size_t job = 0;
-  std::size_t part = 0;
-  std::size_t rival = 0;
-  std::size_t points = 0;  ///< of the batch
-  std::string target = {};
-};
-
 std::string text(const Counted& counted) {
   return fmt::format("{} {} {} {} {}", counted.job, counted.part, counted.rival, counted.points, counted.target);
-}
-
-std::optional<Counted> counted_of(std::string_view line) {
-  constexpr std::string_view before = "desc: Trigger: Client Request: ";
-  if (!line.starts_with(before)) return std::nullopt;
-  std::istringstream words{std::string(line.substr(before.size()))};
-  Counted counted;
-  words >> counted.job >> counted.part >> counted.rival >> counted.points;
-  if (!words) return std::nullopt;
-  words >> counted.target;
-  return counted;
 }
 
 /// The frame begins at the start of a page, so that no address on the stack depends on the environment.
@@ -60,25 +41,44 @@ std::optional<Counted> counted_of(std::string_view line) {
   CALLGRIND_DUMP_STATS_AT(name.c_str());
 }
 
-/// The numbers after `totals:`, by the names after `events:`.
-std::map<std::string, double> totals_of(const std::string& file, std::optional<Counted>& counted) {
+/// What a file says.
+struct Contents {
+  std::optional<Counted> counted = {};
+  std::map<std::string, double> totals = {};  ///< by event
+  std::vector<Cycles> cycles = {};
+};
+
+Contents contents_of(const std::string& file) {
   std::istringstream lines(file);
   std::vector<std::string> events;
-  std::map<std::string, double> totals;
+  Contents contents;
   for (std::string line; std::getline(lines, line);) {
-    if (auto found = counted_of(line)) counted = std::move(found);
+    if (auto found = counted_of(line)) contents.counted = std::move(found);
     std::istringstream words(line);
     std::string word;
     words >> word;
     if (word == "events:")
       while (words >> word) events.push_back(word);
     else if (word == "totals:")
-      for (const auto& event : events) words >> totals[event];
+      for (const auto& event : events) words >> contents.totals[event];
+    else if (word == cycles_heading)
+      for (Cycles cycles; words >> cycles.throughput >> cycles.latency;) contents.cycles.push_back(cycles);
   }
-  return totals;
+  return contents;
 }
 
 }  // namespace
+
+std::optional<Counted> counted_of(std::string_view line) {
+  constexpr std::string_view before = "desc: Trigger: Client Request: ";
+  if (!line.starts_with(before)) return std::nullopt;
+  std::istringstream words{std::string(line.substr(before.size()))};
+  Counted counted;
+  words >> counted.job >> counted.part >> counted.rival >> counted.points;
+  if (!words) return std::nullopt;
+  words >> counted.target;
+  return counted;
+}
 
 bool can_count() { return BEZIERBENCH_CAN_COUNT; }
 
@@ -94,8 +94,9 @@ void count(std::span<const Rival> rivals, std::size_t job, std::size_t part) {
 std::vector<std::vector<Cost>> read_counts(std::span<const std::string> files, std::size_t job) {
   std::vector<std::vector<Cost>> all;
   for (const auto& file : files) {
-    std::optional<Counted> counted;
-    auto totals = totals_of(file, counted);
+    auto contents = contents_of(file);
+    const auto& counted = contents.counted;
+    auto& totals = contents.totals;
     if (!counted || counted->job != job) continue;  // another job's, or what Callgrind writes at the end
     if (!totals.contains("Ir") || !totals.contains("Dr") || !totals.contains("Bc"))
       throw Failure(Exit::environment,
@@ -105,8 +106,9 @@ std::vector<std::vector<Cost>> read_counts(std::span<const std::string> files, s
     if (all.size() <= counted->part) all.resize(counted->part + 1);
     auto& of_part = all[counted->part];
     if (of_part.size() <= counted->rival) of_part.resize(counted->rival + 1);
-    of_part[counted->rival] = {per_point("Ir"), per_point("Dr"), per_point("Dw"), per_point("Bc") + per_point("Bi"),
-                               counted->target};
+    of_part[counted->rival] = {per_point("Ir"), per_point("Dr"),
+                               per_point("Dw"), per_point("Bc") + per_point("Bi"),
+                               counted->target, std::move(contents.cycles)};
   }
   return all;
 }

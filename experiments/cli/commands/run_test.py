@@ -4,8 +4,10 @@
 import hashlib
 import json
 import os
+import platform
 import re
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -30,6 +32,30 @@ class Bundles(Case):
                          (FINE, b"", b"b: already complete, nothing to do\n"))
         self.assertEqual(self.fine("run", "s.toml", "--out", "b", "--quiet"), "")
         self.assertEqual(before, self.snapshot())
+
+    def test_cycles_of_other_processors_take_llvm(self):
+        if not (valgrind := shutil.which("valgrind")) or platform.machine() != "x86_64":
+            self.skipTest("Valgrind is not installed, or the processor is another one")
+        suite = self.suite(TIMING, methods='["direct", "horner_bernstein"]', modes='["point"]')
+        os.chmod(self.folder / self.write("bin/valgrind", f'#!/bin/sh\nexec {valgrind} "$@"\n'), 0o755)
+
+        def costs(name, **options):
+            result = self.run_program("run", suite, "--counts", "--no-timing", "--quiet", "--out", name, **options)
+            self.assertEqual(result.returncode, FINE, result.stderr)
+            return result, rows((self.folder / name / "cost.csv").read_text())
+        said, without = costs("without", env={**os.environ, "PATH": str(self.folder / "bin")})
+        self.assert_one_line(said, "no cycles of other processors: llvm-objdump-19 is not installed; install llvm-19")
+        predicted = [column for column in without[0] if column.startswith(("cycles_", "latency_"))]
+        self.assertEqual({row[column] for row in without for column in predicted}, {""})
+        if not all(map(shutil.which, ("llvm-objdump-19", "llvm-mca-19"))):
+            self.skipTest("LLVM 19 is not installed")
+        said, counted = costs("with")
+        self.assertEqual(said.stderr, b"")
+        self.assertEqual([{**row, **dict.fromkeys(predicted, "")} for row in counted], without)
+        for row in counted:
+            for cycles, latency in zip(predicted[::2], predicted[1::2]):
+                self.assertGreater(float(row[cycles]), 0.9 * float(row["instructions"]) / 6, "no more than six instructions begin in a cycle")
+                self.assertGreater(float(row[latency]), float(row[cycles]))
 
     def test_another_run_is_refused(self):
         self.bundle()

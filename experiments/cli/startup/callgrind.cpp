@@ -10,10 +10,12 @@
 #include <string_view>
 
 #include "experiments/bundle/atomic_file.hpp"
+#include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/external/child.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/race/counts.hpp"
+#include "experiments/race/processor_models.hpp"
 #include "experiments/run/interruption.hpp"
 #include "reference/number/echo.hpp"
 
@@ -24,6 +26,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* variable = "BEZIERBENCH_COUNTS";
 constexpr const char* valgrind = "valgrind";
+constexpr int not_started = 127;  // as in a shell
 
 /// The words of this process's command line, without the program.
 std::vector<std::string> own_arguments() {
@@ -53,25 +56,60 @@ class Folder {
   std::string path_;
 };
 
+/// The words as execvp takes them, which end with a null.
+std::vector<char*> pointers(std::vector<std::string>& words) {
+  std::vector<char*> all;
+  for (auto& word : words) all.push_back(word.data());
+  all.push_back(nullptr);
+  return all;
+}
+
+std::string own_program() { return fs::read_symlink("/proc/self/exe").string(); }
+
 /// Becomes Valgrind. Of the environment it keeps only where programs and libraries are, since its size moves the
 /// stack.
 [[noreturn]] void become_callgrind(const std::string& folder) {
   std::vector<std::string> words{valgrind};
   words.insert(words.end(), std::begin(race::callgrind_options), std::end(race::callgrind_options));
   words.push_back("--callgrind-out-file=" + folder + "/counts.%p");
-  words.push_back(fs::read_symlink("/proc/self/exe").string());
+  words.push_back(own_program());
   for (auto& word : own_arguments()) words.push_back(std::move(word));
   std::vector<std::string> environment{fmt::format("{}=yes", variable)};
   for (const char* kept : {"PATH", "LD_LIBRARY_PATH", "TMPDIR", "HOME"})
     if (const char* value = std::getenv(kept)) environment.push_back(fmt::format("{}={}", kept, value));
-  const auto pointers = [](std::vector<std::string>& texts) {
-    std::vector<char*> all;
-    for (auto& text : texts) all.push_back(text.data());
-    all.push_back(nullptr);
-    return all;
-  };
   execvpe(valgrind, pointers(words).data(), pointers(environment).data());
-  _exit(127);  // NOLINT(readability-magic-numbers): as a shell does
+  _exit(not_started);
+}
+
+constexpr external::Limits limits{.seconds = 3600, .megabytes = 16384};
+constexpr std::size_t max_output = std::size_t{1} << 30U;
+
+/// One of LLVM's programs, to its end.
+std::string run_llvm(std::vector<std::string> command, const std::string& input) {
+  const auto work = [&] {
+    execvp(command[0].c_str(), pointers(command).data());
+    _exit(not_started);
+  };
+  auto ended = external::run_in_child(work, input, max_output, limits, run::interrupted);
+  if (ended.end != external::End::exited || ended.code != 0)
+    throw Failure(Exit::environment, fmt::format("{} failed: {}", command[0],
+                                                 echo(ended.errors.empty() ? "it was stopped" : ended.errors)));
+  return std::move(ended.output);
+}
+
+/// Adds what LLVM's models of other processors predict. Where they cannot, one line says why.
+void add_cycles(std::vector<std::string>& files) {
+  try {
+#if !defined(__x86_64__)
+    throw Failure(Exit::environment, "only the code of x86-64 is modelled");
+#endif
+    for (const char* program : {race::disassembler, race::simulator})
+      if (!folder_on_path(program))
+        throw Failure(Exit::environment, fmt::format("{} is not installed; install llvm-19", program));
+    race::add_cycles(files, own_program(), run_llvm);
+  } catch (const Failure& failure) {
+    if (!run::interrupted()) say(fmt::format("no cycles of other processors: {}", failure.what()));
+  }
 }
 
 }  // namespace
@@ -83,8 +121,6 @@ std::string why_uncounted() {
 
 std::vector<std::string> counts_by_callgrind() {
   const Folder folder;
-  constexpr external::Limits limits{.seconds = 3600, .megabytes = 16384};
-  constexpr std::size_t max_output = std::size_t{1} << 30U;
   const auto ended =
       external::run_in_child([&] { become_callgrind(folder.path()); }, {}, max_output, limits, run::interrupted);
   if (ended.end == external::End::interrupted) return {};
@@ -96,6 +132,7 @@ std::vector<std::string> counts_by_callgrind() {
                                                  echo(ended.errors.empty() ? "it was stopped" : ended.errors)));
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(folder.path())) files.push_back(bundle::read_file(entry.path()));
+  add_cycles(files);
   return files;
 }
 

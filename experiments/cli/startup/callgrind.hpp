@@ -11,7 +11,8 @@ namespace bezierbench::cli {
 /// where they can be.
 [[nodiscard]] std::string why_uncounted();
 
-/// Runs such a child and returns the files with its counts; see run::JobContext::count_jobs. Empty where a signal
+/// Runs such a child and returns the files with its counts, and with the cycles that llvm-mca predicts from these where
+/// it is installed; see run::JobContext::count_jobs. Empty where a signal
 /// asked this program to end. Throws Failure(environment) where the child fails.
 [[nodiscard]] std::vector<std::string> counts_by_callgrind();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/studies/timing/timing_rows.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -12,6 +14,7 @@
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/metric/verdict.hpp"
 #include "experiments/race/limit.hpp"
+#include "experiments/race/processor_models.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/tables/cell_fields.hpp"
 
@@ -167,6 +170,9 @@ void add_cost_row(tables::Tables& tables, const suite::Study& study, const race:
       .set("loads", counts.loads)
       .set("stores", counts.stores)
       .set("branches", counts.branches);
+  for (std::size_t k = 0; k < counts.cycles.size(); ++k)
+    row.set(fmt::format("cycles_{}", race::processors[k].id), counts.cycles[k].throughput)
+        .set(fmt::format("latency_{}", race::processors[k].id), counts.cycles[k].latency);
   tables.add(row);
 }
 
