@@ -4,6 +4,7 @@
 from . import inputs, schema
 from .bundle import Missing
 from .document import Bullets, Cell, Text
+from .predictions import column, processors
 from .rows import distinct, grouped
 from .tables import by_axis
 from .wording import count, general, interval, listing, percent, shortest, span
@@ -35,7 +36,7 @@ def times(bundle, problem):
 
 def time_tables(bundle, problem):
     """One table per study, scalar type and dimension: the ratios of times to those of one method with their intervals, the times themselves, and
-    where the bundle has limits how near the times are to them; then the counted instructions. The axis of the problem runs across, everything
+    where the bundle has limits how near the times are to them; then the counted instructions and predicted cycles. The axis of the problem runs across, everything
     else that varies is named at the lines."""
     unit, chinese, axis = (schema.timed()[problem][key] for key in ("unit", "unit_zh", "across"))
     for study, of_study in grouped(times(bundle, problem), "study").items():
@@ -56,6 +57,13 @@ def time_tables(bundle, problem):
                 yield by_axis(counted, axis, table_id.replace("timing", "cost"),
                               f"Instructions per {unit}: {bundle.title(study)} ({where(rows[0])})", f"每{chinese}指令数",
                               _lines(counted, axis, lambda row: Cell(general(row["instructions"], 4), row.text("instructions"))), row_head="instructions")
+            for name in processors():
+                predicted = [row for row in counted if row[column(name, row["mode"])] is not None]
+                if predicted:
+                    yield by_axis(predicted, axis, table_id.replace("timing", f"cycles-{name}"),
+                                  f"Predicted cycles per {unit} on {name}: {bundle.title(study)} ({where(rows[0])})", f"{name} 每{chinese}预测周期数",
+                                  _lines(predicted, axis, lambda row, name=name: Cell(general(row[at := column(name, row["mode"])]), row.text(at))),
+                                  row_head="cycles")
 
 
 def _lines(rows, axis, cell):

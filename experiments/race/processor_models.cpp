@@ -65,19 +65,18 @@ std::optional<Executed> executed_of(const std::string& file, const std::string& 
   for (std::size_t start = 0, end = 0; start < file.size(); start = end + 1) {
     end = std::min(file.find('\n', start), file.size());
     const auto line = std::string_view(file).substr(start, end - start);
-    const auto value = line.substr(std::min(line.find('='), line.size() - 1) + 1);
     if (const auto counted = counted_of(line)) all.emplace().points = static_cast<double>(counted->points);
     if (!all || line.empty()) continue;
-    if (line.starts_with("ob=")) {
+    const auto key = line.substr(0, line.find('='));
+    const auto value = line.substr(std::min(key.size() + 1, line.size()));
+    if (key == "ob") {
       is_program = name_of(value, objects) == program;
-    } else if (line.starts_with("cob=")) {
-      name_of(value, objects);
-    } else if (line.starts_with("fn=")) {
+    } else if (key == "fn") {
       function = name_of(value, names);
       if (is_program) functions.emplace(function);
-    } else if (line.starts_with("cfn=")) {
-      name_of(value, names);
-    } else if (line.starts_with("calls=")) {
+    } else if (key == "cob" || key == "cfn") {
+      name_of(value, key == "cob" ? objects : names);
+    } else if (key == "calls") {
       is_call = true;
       if (!is_of_race(function)) all->calls += std::stod(std::string(value));
     } else if (line.starts_with("0x") || std::string_view("+-*").find(line[0]) != std::string_view::npos) {
@@ -244,6 +243,7 @@ void add_cycles(std::span<std::string> files, const std::string& program, const 
     }
   if (numbers.empty()) return;
   std::vector<std::vector<Predicted>> predictions;
+  predictions.reserve(processors.size());
   for (const auto& processor : processors) predictions.push_back(predicted(processor, numbers, run));
   for (const auto& [file, kernel] : kernels) {
     std::string line(cycles_heading);

@@ -6,6 +6,7 @@ from ..answer import USELESS, lost, useful
 from ..bundle import Missing
 from ..document import Cell, Text
 from ..methods import form
+from ..predictions import predictions
 from ..rows import distinct, grouped
 from ..tables import by_axis, one
 from ..time_tables import EVALUATION, reading_limits, reading_load, reading_times, time_tables, times, where
@@ -26,6 +27,7 @@ def timing(bundle, _findings):
     for study in distinct(rows, "study"):
         yield from study_figure(bundle, study)
         yield from time_tables(bundle.only({study}), EVALUATION)
+    yield from predictions(bundle, rows)
 
 
 @tables_of("timing")
