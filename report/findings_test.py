@@ -117,8 +117,6 @@ FLIPS = {
     "worst_bounds": _set("searched_error_u", 18, "search.csv", search_id="s1"),
     "worst_gain": _more_short,
     "rational_weights": _raise("mean_error_u", 1e3, study="rational-ladder", method="direct", degree=20, generator="weights_wild"),
-    "roofline": _set("goal_met", "no", "roofline.csv", method="horner_bernstein_fma", target="AVX2", scalar="double"),
-    "roofline_subnormal": _scale("median_ns", 10, "roofline.csv", study="roofline-middle"),
     "projection_isolate": _set("missed", 1, "projection.csv", method="quintic_isolate", placement="cusp"),
     "interpolation_residuals": _set("max_c2_u", 9.5, "interpolation.csv", method="c2_natural", points=100),
     "projection_printed": _set("missed", 0, "projection_unstable.csv", method="quintic_seed_002"),

@@ -13,7 +13,7 @@ from .chapters.roster import UNNAMED, build_all
 from .findings.roster import find_all
 
 # One study of each kind, and one whose id looks like that of a known suite.
-STUDIES = ("truth-bezier", "conversion-bezier", "worst-bezier", "peers-speed", "roofline-bezier", "derivative-order", "subdivision-degree",
+STUDIES = ("truth-bezier", "conversion-bezier", "worst-bezier", "peers-speed", "derivative-order", "subdivision-degree",
            "arc_length-tolerance", "inverse_arc_length-tolerance", "projection-cubics", "interpolation-points", "fitting-cubics",
            "grid-points", "bspline-degree", "guarantees-few", "every-float", "hard-few")
 TITLE = "Degree 20 on my machine"

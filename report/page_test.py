@@ -180,7 +180,7 @@ class WrittenFiles(unittest.TestCase):
         bare, words = made["report.html"].decode(), made["report.md"].decode()
         self.assertEqual(Page(bare).problems, [])
         line = next(line for line in words.splitlines() if line.startswith("Left out"))
-        for absent in ("scorecard.csv", "accuracy.csv", "timing.csv", "roofline.csv"):
+        for absent in ("scorecard.csv", "accuracy.csv", "timing.csv"):
             self.assertIn(f"the bundle has no `{absent}`", line)
 
     def test_missing_rows_leave_a_figure_out(self):

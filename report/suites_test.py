@@ -15,7 +15,7 @@ from .findings.roster import find_all
 from .fixture import evaluators
 
 # by suite: the chapters that have findings
-CHAPTERS = {one.suite: one for one in ROSTER if one.suite not in ("", "report", "guarantees", "roofline")}
+CHAPTERS = {one.suite: one for one in ROSTER if one.suite not in ("", "report", "guarantees")}
 
 
 def _only(*suites):

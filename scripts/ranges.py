@@ -18,7 +18,6 @@ SUITES = pathlib.Path(__file__).resolve().parent.parent / "experiments" / "suite
 LARGEST = 2.0**1020
 LARGEST_FLOAT = 2.0**128 - 2.0**104
 SMALLEST = 5e-324
-TIMED = ("timing", "roofline")  # times are not judged
 SWEPT_ELSEWHERE = ("t_interval", "replicates", "baseline", "published", "generator", "decomposed_trials")
 
 
@@ -27,7 +26,7 @@ def templates():
     found = {}
     for path in sorted(SUITES.glob("*.toml"), key=lambda path: (path.stem != "quick", path.stem)):
         for study in tomllib.loads(path.read_text(encoding="utf-8")).get("study", []):
-            if study["kind"] not in TIMED and "curves" not in study:
+            if study["kind"] != "timing" and "curves" not in study:
                 found.setdefault((study["kind"], study.get("curve", "")), study)
     return list(found.values())
 

@@ -53,7 +53,6 @@ STUDIES = {
     "keeps": ("guarantees", "bernstein", 'degree = [1]\nmethods = ["de_casteljau*", "direct_pow"]\ntrials = 20\nbudget = 200'),
     "every": ("exhaustive", "bernstein", 'curves = ["named#css_ease", "named#wilkinson_3"]\nmethods = ["de_casteljau"]\nt_interval = [[0.5, 0.5001]]'),
     "2.4-bezier": ("timing", "bernstein", 'degree = [2, 3, 4]\nmethods = ["direct", "de_casteljau"]\nmodes = ["one_shot"]\n' + REPORT),
-    "roofline": ("roofline", "bernstein", 'degree = [3]\nmethods = ["horner_bernstein_fma"]'),
 }
 
 

@@ -268,33 +268,7 @@ Rival kernel_rival(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<
   return rival_of<Scalar>(state, [state, run = run_of<Scalar>(mode)] { run(*state); });
 }
 
-template <class Scalar>
-Rival batch_rival(const batch::Target& target, const Kernel<Scalar>& kernel, const Inputs<Scalar>& inputs,
-                  std::vector<Scalar> judged) {
-  return vector_rival(target, kernel, inputs, judged);
-}
-
 template Rival kernel_rival<float>(const Kernel<float>&, suite::Mode, const Inputs<float>&, std::vector<float>);
 template Rival kernel_rival<double>(const Kernel<double>&, suite::Mode, const Inputs<double>&, std::vector<double>);
-template Rival batch_rival<float>(const batch::Target&, const Kernel<float>&, const Inputs<float>&, std::vector<float>);
-template Rival batch_rival<double>(const batch::Target&, const Kernel<double>&, const Inputs<double>&,
-                                   std::vector<double>);
-
-template <class Scalar>
-Rival peak_rival(const batch::OperationWork<Scalar>& work) {
-  auto values = std::make_shared<std::vector<Scalar>>(work.chains[0].values + work.chains[1].values, Scalar(0));
-  const auto run = [values, work] { work.run(work.operand, values->data()); };
-  // x <- x/2 + 1/2 ends at 1 within a run and stays there.
-  const auto check = [values, work] {
-    const auto ends = std::span(*values).first(work.chains[0].values);
-    const bool right = std::ranges::all_of(ends, [](Scalar x) { return x == 1; });
-    std::ranges::fill(*values, Scalar(0));
-    return right;
-  };
-  return {"peak", static_cast<std::size_t>(work.flops), run, check};
-}
-
-template Rival peak_rival(const batch::OperationWork<float>&);
-template Rival peak_rival(const batch::OperationWork<double>&);
 
 }  // namespace bezierbench::race

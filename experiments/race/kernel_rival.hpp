@@ -46,16 +46,4 @@ Rival kernel_rival(const Kernel<Scalar>& kernel, suite::Mode mode, const Inputs<
 template <class Scalar>
 Rival call_rival(suite::Mode mode, const Inputs<Scalar>& inputs);
 
-/// The rival in mode `batch` for one target that this processor can run, which must have a batch kernel for `kernel`.
-template <class Scalar>
-Rival batch_rival(const batch::Target& target, const Kernel<Scalar>& kernel, const Inputs<Scalar>& inputs,
-                  std::vector<Scalar> judged);
-
-// The peak of a target as a rival: fixed work that fills its arithmetic units, in the same race as the methods.
-
-/// A point is one floating-point operation. `work` is of fused multiply-adds, with others beside them or not, for a
-/// target that this processor can run.
-template <class Scalar>
-Rival peak_rival(const batch::OperationWork<Scalar>& work);
-
 }  // namespace bezierbench::race

@@ -61,24 +61,6 @@ TYPED_TEST(KernelRival, ReproducesTheJudgedPointsInEveryMode) {
     }
 }
 
-/// Points of every axis, of every target; a batch kernel that left one out would find it spoilt.
-TYPED_TEST(KernelRival, ReproducesTheJudgedPointsOnEveryTarget) {
-  for (const auto* target : batch::usable_targets())
-    for (const auto& kernel : kernels<TypeParam>(2)) {
-      if (!batch::find(*target, kernel)) continue;
-      const auto inputs = cubic_inputs<TypeParam>(kernel.info->form);
-      auto judged = judged_points(kernel, suite::Mode::batch, inputs);
-      const Rival rival = batch_rival(*target, kernel, inputs, judged);
-      EXPECT_FALSE(rival.check()) << "nothing ran yet";
-      rival.run();
-      EXPECT_TRUE(rival.check()) << kernel.info->id << " on " << target->name;
-      judged[5] = std::nextafter(judged[5], std::numeric_limits<TypeParam>::infinity());
-      const Rival wrong = batch_rival(*target, kernel, inputs, judged);
-      wrong.run();
-      EXPECT_FALSE(wrong.check());
-    }
-}
-
 TYPED_TEST(KernelRival, IsHeldToTheLastBit) {
   const auto inputs = cubic_inputs<TypeParam>(Form::bernstein);
   const auto& kernel = *find_kernel<TypeParam>("de_casteljau", Form::bernstein, 2);
@@ -198,26 +180,6 @@ TYPED_TEST(KernelRival, ACallCopiesTheParameter) {
       EXPECT_TRUE(rival.check());
       EXPECT_FALSE(rival.check()) << "a check uses the points up";
     }
-}
-
-TEST(PeakRival, ChecksThatTheWorkWasDone) {
-  for (const auto* target : batch::usable_targets())
-    for (const auto& work : {batch::works_of<double>(*target).back().multiply_add(),
-                             batch::works_of<double>(*target).back().multiply_add_and_add}) {
-      const Rival rival = peak_rival(work);
-      EXPECT_EQ(static_cast<double>(rival.points_per_batch), work.flops);
-      EXPECT_FALSE(rival.check()) << "nothing ran yet";
-      rival.run();
-      EXPECT_TRUE(rival.check());
-      EXPECT_FALSE(rival.check()) << "a check uses the work up";
-    }
-}
-
-TEST(PeakRival, CatchesAChainThatIsLeftOut) {
-  const batch::OperationWork<double> lazy{[](double, double* values) { values[0] = 1; }, 0.5, {{{2, 0, 1}, {}}}, 2, 4};
-  const Rival rival = peak_rival(lazy);
-  rival.run();
-  EXPECT_FALSE(rival.check());
 }
 
 }  // namespace

@@ -13,17 +13,16 @@
 
 namespace bezierbench::studies {
 
-extern const StudyKind search_kind, conversion_kind, roofline_kind, derivative_kind, arc_length_kind,
-    inverse_arc_length_kind, projection_kind, interpolation_kind, fitting_kind, subdivision_kind, hard_cases_kind,
-    guarantees_kind, exhaustive_kind, grid_kind, bspline_kind;
+extern const StudyKind search_kind, conversion_kind, derivative_kind, arc_length_kind, inverse_arc_length_kind,
+    projection_kind, interpolation_kind, fitting_kind, subdivision_kind, hard_cases_kind, guarantees_kind,
+    exhaustive_kind, grid_kind, bspline_kind;
 
 namespace {
 
-constexpr std::array roster{&accuracy_kind,   &search_kind,        &conversion_kind, &timing_kind,
-                            &roofline_kind,   &derivative_kind,    &arc_length_kind, &inverse_arc_length_kind,
-                            &projection_kind, &interpolation_kind, &fitting_kind,    &subdivision_kind,
-                            &hard_cases_kind, &guarantees_kind,    &exhaustive_kind, &grid_kind,
-                            &bspline_kind};
+constexpr std::array roster{
+    &accuracy_kind,           &search_kind,     &conversion_kind,    &timing_kind,  &derivative_kind,  &arc_length_kind,
+    &inverse_arc_length_kind, &projection_kind, &interpolation_kind, &fitting_kind, &subdivision_kind, &hard_cases_kind,
+    &guarantees_kind,         &exhaustive_kind, &grid_kind,          &bspline_kind};
 
 bool means_an_evaluator(const std::string& pattern) {
   constexpr int any_dimension = 2;

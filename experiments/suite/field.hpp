@@ -17,12 +17,11 @@ namespace bezierbench::suite {
 /// Where a study keeps the value of a key. The type determines what may be written.
 using Slot = std::variant<const Kind**, std::string*, Form*, std::int64_t*, std::vector<int>*, std::vector<double>*,
                           std::vector<Interval>*, std::vector<std::string>*, std::vector<ScalarKind>*,
-                          std::vector<Mode>*, std::vector<Goal>*, ParameterSource*, std::vector<Placement>*, Counting*>;
-using Value =
-    std::variant<const Kind* const*, const std::string*, const Form*, const std::int64_t*, const std::vector<int>*,
-                 const std::vector<double>*, const std::vector<Interval>*, const std::vector<std::string>*,
-                 const std::vector<ScalarKind>*, const std::vector<Mode>*, const std::vector<Goal>*,
-                 const ParameterSource*, const std::vector<Placement>*, const Counting*>;
+                          std::vector<Mode>*, ParameterSource*, std::vector<Placement>*, Counting*>;
+using Value = std::variant<const Kind* const*, const std::string*, const Form*, const std::int64_t*,
+                           const std::vector<int>*, const std::vector<double>*, const std::vector<Interval>*,
+                           const std::vector<std::string>*, const std::vector<ScalarKind>*, const std::vector<Mode>*,
+                           const ParameterSource*, const std::vector<Placement>*, const Counting*>;
 
 /// Whether the values of a key are swept. They then distinguish the cells of a study, or the cases within each cell.
 enum class Axis { none, of_cells, of_cases };

@@ -64,17 +64,6 @@ struct Interval {
   friend auto operator<=>(const Interval&, const Interval&) = default;
 };
 
-/// A goal for a method's batch kernel, in every row that it applies to.
-struct Goal {
-  std::string method = {};                  ///< id of the method
-  double share = 0;                         ///< least share of the target's peak; above 0
-  ScalarKind scalar = ScalarKind::float64;  ///< scalar of the rows; degrees likewise
-  int from_degree = 0;
-  int to_degree = max_degree;
-  bool needs_additions_beside = false;  ///< only on targets whose peak rises with additions beside multiply-adds
-  friend auto operator<=>(const Goal&, const Goal&) = default;
-};
-
 struct Kind;
 
 /// One [[study]] table. Axes are swept in the cross product.
@@ -116,7 +105,6 @@ struct Study {
   std::int64_t budget = 0;              ///< inputs that a search may try per cell and method
   std::int64_t kept = 8;                ///< hard cases of each family and search
   std::vector<std::string> properties;  ///< guarantees that are searched for; empty: all of them
-  std::vector<Goal> goals;              ///< goals that batch kernels must reach
 };
 
 struct Suite {

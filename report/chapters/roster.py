@@ -13,7 +13,6 @@ UNNAMED = "Studies that `suite.toml` does not name"
 
 # Suites with findings or chapters of their own. Any other is a user's, and its chapter stands first.
 KNOWN = frozenset({one.suite for one in ROSTER if one.suite} | {"speed", "companion_speed", COMPANION_PEERS})
-OF_ANY_SUITE = ("timing", "roofline")  # kinds whose chapter shows the studies of all known suites
 
 
 def _known(study):
@@ -27,7 +26,7 @@ def known_part(bundle):
 
 
 def _has_chapter(study):
-    return _known(study) and (study.kind in OF_ANY_SUITE or study.suite == COMPANION_PEERS or any(one.suite == study.suite for one in ROSTER))
+    return _known(study) and (study.kind == "timing" or study.suite == COMPANION_PEERS or any(one.suite == study.suite for one in ROSTER))
 
 
 def _of_suites(bundle, own):

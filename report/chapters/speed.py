@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Times of evaluators: every timed method, times against errors, kernels against the peak, other libraries."""
+"""Times of evaluators: every timed method, times against errors, other libraries."""
 
-from .. import inputs, schema
+from .. import schema
 from ..answer import USELESS, lost, useful
 from ..bundle import Missing
 from ..document import Cell, Text
@@ -10,7 +10,7 @@ from ..predictions import predictions
 from ..rows import distinct, grouped
 from ..tables import by_axis, one
 from ..time_tables import EVALUATION, reading_limits, reading_load, reading_times, time_tables, times, where
-from ..wording import count, general, large, listing, percent, shortest, span
+from ..wording import count, general, large, listing, shortest
 from .parts import chapter, figure, of_suite, study_figure, tables_of
 
 
@@ -68,48 +68,6 @@ def _chosen(rows):
     return Cell(text + ({"yes": " ✓", "unresolved": " ?"}.get(row["pareto"], "") if good else " ✗"),
                 f"{row.text('ns')} {row.text('observed_max_u')} {row.text('pareto')}",
                 "outside" if not good else "inside" if row["pareto"] == "yes" and not loss else "")
-
-
-@chapter("Kernels against the peak of this machine", suite="roofline", kind="roofline")
-def roofline(bundle, findings):
-    """The figure and the tables of each study."""
-    table = bundle["roofline.csv"]
-    if not table.rows:
-        raise Missing("`roofline.csv` has no rows")
-    yield from of_suite(findings, "roofline")
-    yield Text("One curve, many t, on one core. The peak is that of fused multiply-adds, measured in the same rounds as the methods: "
-               + listing(_peaks(table.rows)) + ". A fused multiply-add counts as two operations. Every point has the bits of the scalar kernel's"
-               + ("." if all(r["checked"] == "yes" for r in table.rows) else ", **except where a row has `checked` no**.")
-               + " ✓ and ✗: the row has a goal, which is met or not.")
-    for study in table.distinct("study"):
-        yield from study_figure(bundle, study)
-        yield from _kernels(bundle, study)
-
-
-@tables_of("roofline")
-def _kernels(bundle, study):
-    """A table for each scalar type and number of axes."""
-    for (scalar, dimension, _), rows in grouped(bundle["roofline.csv"].some(study=study), "scalar", "dimension", "curves").items():
-        english, chinese = form(rows[0]["form"])
-        inside = "" if rows[0]["interval"] == (0, 1) else f", {inputs.words(rows[0], 'coordinate_range', 'generator')}"
-        yield by_axis(rows, "degree", f"{study}-{scalar}-{shortest(dimension)}",
-                      f"Nanoseconds per point and share of the peak, {english} ({where(rows[0])}{inside})", f"批量求值：每点用时（纳秒）与占峰值的比例，{chinese}",
-                      [(target, _kernel, {"target": target}) for target in distinct(rows, "target")], row_head="target")
-
-
-def _peaks(rows):
-    """`AVX2 double 45.2 to 47.9 GFLOP/s, 50.3 to 52.1 with additions interleaved`, by target and scalar type, over the races."""
-    def extent(races, column):
-        found = [row[column] for row in races]
-        return span(min(found), max(found), general)
-    return [f"{target} {scalar} {extent(races, 'peak_gflops')} GFLOP/s, {extent(races, 'mixed_peak_gflops')} with additions interleaved"
-            for (target, scalar), races in grouped(rows, "target", "scalar").items()]
-
-
-def _kernel(rows):
-    row = rows[-1]
-    sign = {"yes": " ✓", "no": " ✗"}.get(row["goal_met"], "")
-    return Cell(f"{general(row['median_ns'])}, {percent(row['share_of_peak'])}{sign}", row.text("median_ns"), {"yes": "inside", "no": "outside"}.get(row["goal_met"], ""))
 
 
 PEER = "peer_"  # how the ids of other libraries' methods begin

@@ -6,7 +6,7 @@ from collections import Counter
 from ..answer import useful
 from ..bundle import Missing
 from ..rows import distinct, grouped
-from ..wording import count, factor, general, listing, percent, scientific, shortest, span
+from ..wording import count, factor, general, listing, scientific, shortest, span
 from .evaluators import by_degree
 from .finding import finding, methods_of, names, verdict
 
@@ -38,53 +38,6 @@ def choosing(bundle):
         f"Not dominated at degree {top:g}, fastest first: {listing(steps)}.",
         f"Not dominated at any degree: {names(always)}." if always else "Every method is dominated at some degree.",
         rows=[r for rows in degrees.values() for r in rows])
-
-
-@finding("roofline")
-def roofline(bundle):
-    """Holds where every row that has a goal meets it; the sentences name the worst row of each method."""
-    rows = [r for r in bundle["roofline.csv"].rows if r["goal_met"] in ("yes", "no")]
-    if not rows:
-        raise Missing("no row of `roofline.csv` has a goal")
-    missed = [r for r in rows if r["goal_met"] == "no"]
-    nearest = [min(own, key=_margin) for own in grouped(rows, "method", "target").values()]
-    return verdict(
-        not missed, f"The batch kernels reach every goal of this run, {len(rows)} in all.",
-        f"The batch kernels reach {len(rows) - len(missed)} of {count(len(rows), 'goal')} of this run; goals are missed by {methods_of(missed)}.",
-        *map(_sentence, nearest), rows=missed or nearest)
-
-
-def _margin(row):
-    """The factor by which a row is better than its goal; 1 just reaches it."""
-    return row.number("share_of_peak") / row.number("goal_share")
-
-
-def _sentence(row):
-    return (f"`{row['method']}` on {row['target']}, at its worst (degree {row.number('degree'):g}, {row['scalar']}): "
-            f"{percent(row['share_of_peak'])} of the peak; the goal is {percent(row['goal_share'])}.")
-
-
-METHOD = "horner_bernstein_fma"
-FEWEST = 2  # times as long; no other difference between the two intervals of t has an effect of this size
-
-
-@finding("roofline")
-def roofline_subnormal(bundle):
-    """Holds where the same work takes FEWEST times as long over the whole of [0, 1] as in the middle of it."""
-    rows = bundle["roofline.csv"].select(method=METHOD, scalar="float", study=("roofline-bezier", "roofline-middle"))
-    pairs = [(whole, middle) for whole in rows if whole["study"] == "roofline-bezier" for middle in rows if middle["study"] == "roofline-middle"
-             and all(whole[column] == middle[column] for column in ("degree", "dimension", "target"))]
-    if not pairs:
-        raise Missing(f"no row of `{METHOD}` in float is in both `roofline-bezier` and `roofline-middle`")
-    whole, middle = max(pairs, key=lambda pair: pair[0].number("median_ns") / pair[1].number("median_ns"))
-    times = whole.number("median_ns") / middle.number("median_ns")
-    where = f"With t anywhere in [0, 1], `{METHOD}` in float at degree {whole.number('degree'):g} on {whole['target']} takes"
-    return verdict(
-        times >= FEWEST, f"{where} {general(times)} times as long as with t in the middle.", f"{where} about as long as with t in the middle.",
-        f"{general(whole['median_ns'])} ns per point for t drawn from [0, 1], {general(middle['median_ns'])} ns from [{middle.number('t_min'):g}, "
-        f"{middle.number('t_max'):g}], with the same instructions. Powers of t near 0, and of 1 - t near 1, are subnormal numbers in float at such degrees, "
-        + ("and a processor that is slow with these waits with a whole vector for one of them. de Casteljau's algorithm forms no powers."
-           if times >= FEWEST else f"which cost less than a factor of {FEWEST} here."), rows=(whole, middle))
 
 
 PEER = "peer_"

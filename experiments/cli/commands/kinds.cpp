@@ -12,7 +12,6 @@
 #include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/studies/roster.hpp"
-#include "experiments/suite/goal.hpp"
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/names.hpp"
 #include "experiments/suite/nearest.hpp"
@@ -49,7 +48,6 @@ struct TypeText {
   std::string operator()(const std::vector<Enum>* /*type*/) const {
     return "some of " + words_of<Enum>();
   }
-  std::string operator()(const std::vector<suite::Goal>* /*type*/) const { return "tables"; }
 };
 
 /// A study with the defaults of its kind only.
@@ -132,21 +130,6 @@ Json word_schema() {
 
 Json list_schema(Json items) { return {{"type", "array"}, {"minItems", 1}, {"items", std::move(items)}}; }
 
-Json value_schema(const std::string& /*type*/) { return text_schema(); }
-Json value_schema(double /*type*/) { return number_schema(); }
-Json value_schema(int /*type*/) { return whole_schema(); }
-Json value_schema(bool /*type*/) { return {{"type", "boolean"}}; }
-Json value_schema(suite::ScalarKind /*type*/) { return word_schema<suite::ScalarKind>(); }
-
-Json goal_schema() {
-  Json schema{{"type", "object"}, {"required", Json::array({"method", "share"})}, {"additionalProperties", false}};
-  suite::each_goal_key([&](const char* key, const char* meaning, auto member) {
-    schema["properties"][key] = value_schema(suite::Goal().*member);
-    schema["properties"][key]["description"] = meaning;
-  });
-  return schema;
-}
-
 struct TypeSchema {
   Json operator()(const suite::Kind* const* /*type*/) const { return text_schema(); }
   Json operator()(const std::string* /*type*/) const { return text_schema(); }
@@ -165,7 +148,6 @@ struct TypeSchema {
   Json operator()(const std::vector<Enum>* /*type*/) const {
     return list_schema(word_schema<Enum>());
   }
-  Json operator()(const std::vector<suite::Goal>* /*type*/) const { return list_schema(goal_schema()); }
 };
 
 Json key_schema(const Kind& kind, const Field& field) {

@@ -49,33 +49,6 @@ TEST(Reader, ReadsTheReportSuite) {
   EXPECT_THAT(suite.studies.back().modes, ElementsAre(Mode::one_shot, Mode::point));
 }
 
-TEST(Reader, ReadsTheGoalsOfARoofline) {
-  const std::string study = head + "kind = \"roofline\"\ndegree = [3]\n";
-  const auto goals = [](const std::string& text) { return parsed(text).studies.front().goals; };
-  EXPECT_THAT(goals(study + "goals = [{ method = \"direct\", share = 0.6 }]\n"),
-              ElementsAre(Goal{.method = "direct", .share = 0.6}));
-  const std::string goal = study + "goals = [{ method = \"direct\", ";
-  EXPECT_THAT(goals(goal + "share = 1, scalar = \"float\", from_degree = 5, to_degree = 9, "
-                           "needs_additions_beside = true }]\n"),
-              ElementsAre(Goal{.method = "direct",
-                               .share = 1,
-                               .scalar = ScalarKind::float32,
-                               .from_degree = 5,
-                               .to_degree = 9,
-                               .needs_additions_beside = true}));
-  EXPECT_THAT(refused(goal + "shar = 0.6 }]\n"), HasSubstr("share"));
-  EXPECT_THAT(refused(goal + "share = 0.6, no_slower_than = \"direct\" }]\n"), HasSubstr("no_slower_than"));
-  EXPECT_THAT(refused(goal + "from_degree = 5 }]\n"), HasSubstr("requires a share"));
-  EXPECT_THAT(refused(goal + "share = -1 }]\n"), HasSubstr("above 0"));
-  EXPECT_THAT(refused(goal + "share = 1, from_degree = 5, to_degree = 4 }]\n"), HasSubstr("from_degree"));
-  EXPECT_THAT(refused(goal + "share = 1, needs_additions_beside = 1 }]\n"), HasSubstr("true or false"));
-  EXPECT_THAT(refused(study + "goals = [{ share = 1 }]\n"), HasSubstr("needs a method"));
-  EXPECT_THAT(refused(study + "goals = [{ method = \"directt\", share = 1 }]\n"), HasSubstr("direct"));
-  EXPECT_THAT(refused(study + "goals = [0.6]\n"), HasSubstr("a table such as"));
-  EXPECT_THAT(refused(minimal + "degree = [3]\ngoals = [{ method = \"direct\", share = 1 }]\n"),
-              StartsWith("x.toml:8:1: kind \"accuracy\" does not have the key goals; kind roofline has it; remove"));
-}
-
 TEST(Reader, LeftOutKeysHaveTheirDefaults) {
   const Study study = parsed(minimal + "degree = [3]\n").studies.front();
   EXPECT_THAT(study.dimension, ElementsAre(2));

@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "experiments/failure.hpp"
-#include "experiments/suite/goal.hpp"
 #include "experiments/suite/kind.hpp"
 #include "reference/number/number.hpp"
 
@@ -18,21 +17,6 @@ namespace {
 
 /// Values of options are strings, which have no place in a file.
 bool is_from_option(const toml::node& node) { return node.source().begin.line == 0; }
-
-void read_value(const Source& source, const toml::node& node, bool& out) {
-  if (!node.is_boolean()) fail_type(source, node, "true or false");
-  out = node.value_or(false);
-}
-void read_value(const Source& source, const toml::node& node, auto& out) { read(source, node, out); }
-
-std::string text_of(bool value) { return value ? "true" : "false"; }
-std::string text_of(const auto& value) { return to_text(value); }
-
-std::vector<std::string> goal_keys() {
-  std::vector<std::string> all;
-  each_goal_key([&](const char* key, auto, auto) { all.emplace_back(key); });
-  return all;
-}
 
 }  // namespace
 
@@ -95,24 +79,6 @@ void read(const Source& source, const toml::node& node, const Kind*& out) {
   out = *found;
 }
 
-/// Reads a goal from an inline table.
-void read(const Source& source, const toml::node& node, Goal& out) {
-  const toml::table* table = node.as_table();
-  if (table == nullptr) fail_type(source, node, "a table such as { method = \"horner_fma\", share = 0.85 }");
-  for (const auto& [key, value] : *table) {
-    const std::string_view written = key.str();
-    bool is_known = false;
-    each_goal_key([&, &entry = value](std::string_view known, auto /*meaning*/, auto member) {
-      if (known != written) return;
-      is_known = true;
-      read_value({source.name, known}, entry, out.*member);
-    });
-    if (!is_known)
-      fail(source.name, key.source().begin,
-           fmt::format("unknown key \"{}\"{}", echo(written), suggestion(written, goal_keys())));
-  }
-}
-
 void read(std::string_view name, const toml::node& node, const Field& field, Study& out) {
   const Source from{name, field.key};
   const auto slot = field.slot(out);
@@ -153,15 +119,5 @@ std::string to_text(double value) {
 std::string to_text(const Kind* value) { return to_text(value->id); }
 
 std::string to_text(const Interval& value) { return fmt::format("[{}, {}]", to_text(value.min), to_text(value.max)); }
-
-/// Keys that have their defaults are left out.
-std::string to_text(const Goal& goal) {
-  std::string text;
-  each_goal_key([&](std::string_view key, auto /*meaning*/, auto member) {
-    if (goal.*member == Goal().*member) return;
-    text += fmt::format("{}{} = {}", text.empty() ? "{ " : ", ", key, text_of(goal.*member));
-  });
-  return text + " }";
-}
 
 }  // namespace bezierbench::suite

@@ -41,7 +41,6 @@ void read(const Source& source, const toml::node& node, std::int64_t& out);
 void read(const Source& source, const toml::node& node, int& out);
 void read(const Source& source, const toml::node& node, double& out);
 void read(const Source& source, const toml::node& node, Interval& out);
-void read(const Source& source, const toml::node& node, Goal& out);
 /// Reads the id of one of `source.kinds`.
 void read(const Source& source, const toml::node& node, const Kind*& out);
 /// Reads the value of the key `field` into the study; `name` is that of the file or option.
@@ -77,7 +76,6 @@ std::string to_text(std::string_view value);
 std::string to_text(std::int64_t value);
 std::string to_text(double value);
 std::string to_text(const Interval& value);
-std::string to_text(const Goal& value);
 std::string to_text(const Kind* value);
 inline std::string to_text(int value) { return to_text(static_cast<std::int64_t>(value)); }
 inline std::string to_text(const std::string& value) { return to_text(std::string_view(value)); }

@@ -104,13 +104,6 @@ class Random {
     made.tolerance = some<double>({1e-3, 1e-12, 5e-324});
     made.modes = some<Mode>({Mode::one_shot, Mode::latency, Mode::batch});
     made.published = below(2) == 0 ? "" : known.published_files[0];
-    if (below(2) == 0)
-      made.goals = {{.method = known.methods[0], .share = 0x1p-3 * static_cast<double>(1 + below(9)), .from_degree = 3},
-                    {.method = known.methods[1],
-                     .share = 1,
-                     .scalar = ScalarKind::float32,
-                     .to_degree = 20,
-                     .needs_additions_beside = true}};
     return made;
   }
 
