@@ -126,10 +126,6 @@ class Job {
 
   /// Appends this study's rows. To be called when the results of all blocks were added.
   virtual void write(tables::Tables& tables) const = 0;
-  /// Appends the rows that write() adds whatever the results are, with their keys and no other field; `verify` asks a
-  /// bundle for them. A table of which a job lists some rows has no other rows of the study, unless a method that this
-  /// build does not have adds them.
-  virtual void list_rows(tables::Tables& /*tables*/) const {}
   [[nodiscard]] virtual std::vector<tables::Series> series() const = 0;
   [[nodiscard]] virtual std::vector<Violation> violations() const { return {}; }
 

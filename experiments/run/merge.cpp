@@ -226,7 +226,7 @@ Outcome merge(RunRequest request, const std::vector<fs::path>& bundles) {
   }
   if (complete != nullptr) {
     outcome.findings =
-        bundle::verify(request.out, [&](const auto&, const auto&) { return expected_of(request, plan); });
+        bundle::verify(request.out, [&](const auto&, const auto&) { return expected_of(request.suites); });
     if (request.telling == Telling::text)
       note(fmt::format("{}: {} was the whole bundle already", request.out.string(), complete->path().string()));
   }

@@ -8,7 +8,6 @@
 #include <map>
 #include <utility>
 
-#include "experiments/bundle/check/coverage.hpp"
 #include "experiments/bundle/check/few_lines.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/digest.hpp"
@@ -153,26 +152,17 @@ void count_times(const tables::Tables& tables, Outcome& outcome) {
 
 }  // namespace
 
-Plan::Plan(const RunRequest& request, Unplannable unplannable)
+Plan::Plan(const RunRequest& request)
     : suite_text(suite::to_toml(request.suites) + suite::to_toml(request.external)),
       manifest(manifest_of(request, suite_text)),
       reference(reference::name(request.tier)) {
-  const auto or_left_out = [unplannable](const auto& plan) {
-    try {
-      plan();
-    } catch (const Failure&) {
-      if (unplannable == Unplannable::refused) throw;
-    }
-  };
   const auto each_study = [&](const auto& plan) {
     for (const auto& one : request.suites)
       for (const auto& written : one.studies)
-        or_left_out([&] {
-          for (const auto& study : request.kinds.studies_of(written))
-            plan(study,
-                 JobContext{
-                     .seed = one.seed, .tier = request.tier, .number = jobs.size(), .count_jobs = request.count_jobs});
-        });
+        for (const auto& study : request.kinds.studies_of(written))
+          plan(study,
+               JobContext{
+                   .seed = one.seed, .tier = request.tier, .number = jobs.size(), .count_jobs = request.count_jobs});
   };
   each_study([&](const suite::Study& study, const JobContext& context) {
     auto own = with_own_methods(study);
@@ -181,7 +171,7 @@ Plan::Plan(const RunRequest& request, Unplannable unplannable)
     job_names.push_back(study.id);
     studies.push_back({std::move(*own), context});
   });
-  if (unplannable == Unplannable::refused) refuse_idle_studies(*this);
+  refuse_idle_studies(*this);
   // Last, so that no row of another method is elsewhere than without them.
   each_study(
       [&](const suite::Study& study, const JobContext& context) { add_external_jobs(request, study, context, *this); });
@@ -239,7 +229,7 @@ std::optional<std::string> difference(const bundle::Manifest& theirs, const bund
 }
 
 std::vector<std::pair<std::string, std::string>> lists_of(const RunRequest& request) {
-  std::vector<std::pair<std::string, std::string>> lists{{std::string(bundle::methods_name), request.methods_csv},
+  std::vector<std::pair<std::string, std::string>> lists{{methods_name, request.methods_csv},
                                                          {generators_name, request.generators_csv}};
   lists.insert(lists.end(), request.curve_files.begin(), request.curve_files.end());
   return lists;
@@ -275,40 +265,14 @@ tables::Tables filled_tables(const RunRequest& request, const Plan& plan) {
   return tables;
 }
 
-bundle::Expected expected_of(const RunRequest& request, const Plan& plan) {
+bundle::Expected expected_of(std::span<const suite::Suite> suites) {
   bundle::Expected expected;
-  expected.seed = request.suites.front().seed;
-  for (const auto& suite : request.suites) expected.suites.push_back(suite.id);
-  for (const auto& study : studies_of(request)) expected.studies.push_back(study.id);
-  for (std::size_t k = 0; k < plan.studies.size(); ++k)
-    if (plan.jobs[k]->extent().rows > 0)
-      for (auto& names : request.kinds.tables_of(plan.studies[k].study))
-        expected.tables.push_back({plan.studies[k].study.id, std::move(names)});
-  tables::Tables tables;
-  for (const auto& job : plan.jobs) job->list_rows(tables);
-  for (const auto& [file, table] : tables.all()) expected.plan.rows.emplace(file, table.document());
-  expected.plan.methods_csv = request.methods_csv;
-  expected.plan.git_commit = request.git_commit;
-  for (const auto& method : request.external) expected.plan.external.insert(method.id);
+  expected.seed = suites.front().seed;
+  for (const auto& suite : suites) {
+    expected.suites.push_back(suite.id);
+    for (const auto& study : suite.studies) expected.studies.push_back(study.id);
+  }
   return expected;
-}
-
-bundle::Expected expected_of(const RunRequest& request) {
-  const auto methods = bundle::parse_csv(request.methods_csv, bundle::methods_name);
-  const auto is_absent = [&](const std::string& entry) {
-    if (!suite::is_peer(entry)) return false;
-    for (std::size_t row = 0; row < methods.row_count(); ++row)
-      if (suite::means(entry, methods.at(row, "id"))) return false;
-    return true;
-  };
-  RunRequest possible = request;
-  for (auto& suite : possible.suites)
-    std::erase_if(suite.studies, [&](suite::Study& study) {
-      const bool names_some = !study.methods.empty();
-      std::erase_if(study.methods, is_absent);
-      return names_some && study.methods.empty();
-    });
-  return expected_of(request, Plan(possible, Plan::Unplannable::left_out));
 }
 
 }  // namespace bezierbench::run

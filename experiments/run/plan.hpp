@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,10 +30,7 @@ struct Unasked {
 };
 
 struct Plan {
-  /// What becomes of a study that this build cannot plan: its Failure is thrown, or the study is left out.
-  enum class Unplannable { refused, left_out };
-
-  explicit Plan(const RunRequest& request, Unplannable unplannable = Unplannable::refused);
+  explicit Plan(const RunRequest& request);
 
   Jobs jobs;                           ///< those of `studies` in their order, then those for external methods
   std::vector<std::string> job_names;  ///< of the study of a job; of that and the method for an external method
@@ -53,6 +51,7 @@ std::optional<std::string> difference(const bundle::Manifest& theirs, const bund
 
 inline constexpr const char* suite_name = "suite.toml";
 inline constexpr const char* machine_name = "machine.json";
+inline constexpr const char* methods_name = "methods.csv";
 inline constexpr const char* generators_name = "generators.csv";
 
 /// The program's lists that are part of a bundle and explain the ids in its tables, by file name.
@@ -66,11 +65,7 @@ std::size_t cells_of(const Jobs& jobs);
 /// The outcome of a complete bundle, without the seconds: the jobs are done, the tables are theirs.
 Outcome outcome_of(const Jobs& jobs, const tables::Tables& tables);
 
-/// The contents that `verify` expects in a bundle of the request, by the jobs of its plan.
-[[nodiscard]] bundle::Expected expected_of(const RunRequest& request, const Plan& plan);
-
-/// The contents that `verify` expects in a bundle that another build may have written. Methods of other libraries that
-/// are absent from this build are left out, and so is every table of a study that cannot be planned without them.
-[[nodiscard]] bundle::Expected expected_of(const RunRequest& request);
+/// The contents that `verify` expects in a bundle of these suites.
+[[nodiscard]] bundle::Expected expected_of(std::span<const suite::Suite> suites);
 
 }  // namespace bezierbench::run

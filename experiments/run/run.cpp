@@ -137,9 +137,9 @@ Outcome complete(const RunRequest& request, const Plan& plan, RunFolder& folder,
 }
 
 /// What `verify` finds in a bundle that was complete before.
-Outcome already_complete(const RunRequest& request, const Plan& plan) {
+Outcome already_complete(const RunRequest& request) {
   Outcome outcome;
-  outcome.findings = bundle::verify(request.out, [&](const auto&, const auto&) { return expected_of(request, plan); });
+  outcome.findings = bundle::verify(request.out, [&](const auto&, const auto&) { return expected_of(request.suites); });
   if (!outcome.findings.empty())
     outcome.findings.push_back(
         request.out.string() +
@@ -171,7 +171,7 @@ Outcome run(const RunRequest& request) {
     describe(request, plan, folder);
     return {};
   }
-  if (!folder.begin(request, plan)) return already_complete(request, plan);
+  if (!folder.begin(request, plan)) return already_complete(request);
   Checkpoints checkpoints(plan.jobs, owner_of(request, plan, folder));
   for (const auto& line :
        checkpoints.load(folder.found(), request.shard ? Checkpoints::Whose::own : Checkpoints::Whose::all))

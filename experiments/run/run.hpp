@@ -48,8 +48,6 @@ struct Kinds {
   std::vector<suite::Study> (*studies_of)(const suite::Study& study) = nullptr;
   /// The work of one study. Throws Failure(usage) where its methods do not fit.
   std::unique_ptr<Job> (*make_job)(const suite::Study& study, const JobContext& context) = nullptr;
-  /// The tables that the study writes wherever it has rows, by file name: one of each list.
-  std::vector<std::vector<std::string>> (*tables_of)(const suite::Study& study) = nullptr;
   /// The work of one study on an external method; null where studies of this kind take none, or not this one. A
   /// method that is not available can be written and merged, but not run.
   std::function<std::unique_ptr<Job>(const suite::Study& study, const suite::ExternalMethod& method,

@@ -9,7 +9,6 @@
 #include <iterator>
 #include <thread>
 
-#include "experiments/bundle/check/coverage.hpp"
 #include "experiments/bundle/check/table_schema.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/machine.hpp"
@@ -183,7 +182,7 @@ void RunFolder::refuse_foreign(const std::function<bool(const std::string&)>& is
 
 void RunFolder::complete(const Plan& plan, const WholeBundle& whole) {
   refuse_foreign([&](const std::string& name) {
-    return name == bundle::methods_name || name == generators_name || bundle::is_curves_name(name) ||
+    return name == methods_name || name == generators_name || bundle::is_curves_name(name) ||
            std::ranges::any_of(whole.files, [&](const auto& file) { return file.first == name; });
   });
   for (const auto& [name, bytes] : whole.files) directory_->write(name, bytes);

@@ -68,19 +68,6 @@ std::unique_ptr<run::Job> make_job(const suite::Study& study, const run::JobCont
   return study_kind(study).make(study, context);
 }
 
-std::vector<std::vector<std::string>> tables_of(const suite::Study& study) {
-  std::vector<std::vector<std::string>> all;
-  for (std::string_view rest : study_kind(study).tables) {
-    if (rest.empty()) continue;
-    auto& one_of = all.emplace_back();
-    for (std::size_t bar = 0; bar != std::string_view::npos; rest.remove_prefix(std::min(bar, rest.size() - 1) + 1)) {
-      bar = rest.find('|');
-      one_of.push_back(fmt::format("{}.csv", rest.substr(0, bar)));
-    }
-  }
-  return all;
-}
-
 std::vector<const MethodInfo*> companion_infos() {
   std::vector<const MethodInfo*> all;
   for (const auto* one : roster)

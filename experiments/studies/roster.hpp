@@ -2,7 +2,6 @@
 // Every kind of study. A kind is one object, in the folder of its name, and one line in roster.cpp.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -23,8 +22,6 @@ struct StudyKind {
   /// The work of one study. Throws Failure(usage) for inputs that the kind does not take, and where the methods do not
   /// fit.
   std::unique_ptr<run::Job> (*make)(const suite::Study& study, const run::JobContext& context);
-  /// Names of the tables that its rows go to, without .csv; `a|b` where the methods decide which.
-  std::array<std::string_view, 2> tables;
   std::optional<race::TimedProblem> timed = {};  ///< how timing studies race the methods of `asks.problem`
   /// The methods of a companion problem; null for any other kind.
   std::vector<const MethodInfo*> (*methods)() = nullptr;
@@ -48,9 +45,6 @@ bool is_kind(const suite::Study& study, const StudyKind& kind);
 
 /// The work of one study, as StudyKind::make.
 std::unique_ptr<run::Job> make_job(const suite::Study& study, const run::JobContext& context);
-
-/// The tables that a study of this kind writes wherever it has rows, by file name: one of each list.
-[[nodiscard]] std::vector<std::vector<std::string>> tables_of(const suite::Study& study);
 
 /// The kind that decides which inputs the study takes: of a timing study that of its problem, else its own.
 const suite::Kind& kind_of_inputs(const suite::Study& study);

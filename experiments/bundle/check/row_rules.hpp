@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the rows of a table say against themselves or a method, by the rules of tables.schema.json.
+// What the rows of a table say against a method, by the rules of tables.schema.json.
 #pragma once
 
 #include <set>
@@ -14,9 +14,8 @@ namespace bezierbench::bundle {
 /// The methods for which methods.csv states a bound or a promise.
 [[nodiscard]] std::set<std::string, std::less<>> promising_methods(const CsvDocument& methods_csv);
 
-/// The lines that tell which rows of the table `file` accuse a method, for example of broken promises, and in which rows
-/// statistics are not in their order, for example a mean above the maximum. `promising` are the methods that promise
-/// something.
+/// The lines that tell which rows of the table `file` accuse a method, for example of broken promises. `promising` are the
+/// methods that promise something.
 [[nodiscard]] std::vector<std::string> row_faults(const std::string& file, const CsvDocument& table,
                                                   const std::set<std::string, std::less<>>& promising);
 

@@ -12,10 +12,8 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/bundle.hpp"
-#include "experiments/bundle/check/coverage.hpp"
 #include "experiments/bundle/check/few_lines.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
-#include "experiments/bundle/check/proved_properties.hpp"
 #include "experiments/bundle/check/row_rules.hpp"
 #include "experiments/bundle/check/schema.hpp"
 #include "experiments/bundle/check/table_schema.hpp"
@@ -33,6 +31,7 @@ using Findings = std::vector<std::string>;
 
 constexpr std::string_view machine_name = "machine.json";
 constexpr std::string_view suite_name = "suite.toml";
+constexpr std::string_view methods_name = "methods.csv";
 
 // Files that every bundle has, whatever its suites.
 constexpr std::array<std::string_view, 3> required_files{manifest_name, suite_name, machine_name};
@@ -69,7 +68,6 @@ class Verification {
       }
     for (const std::string_view name : required_files)
       if (!folder_has(name)) add(all, name, "is missing");
-    if (complete_) check_tables_there(all);
     if (complete_) check_method_digests(all);
     if (folder_has(sums_name))
       check_sums(all);
@@ -79,7 +77,6 @@ class Verification {
     if (folder_has(machine_name)) or_finding(all, [&] { check_machine(all); });
     check_strays(all);
     append(all, table_findings_);
-    append(all, proved_.faults());
     return all;
   }
 
@@ -109,13 +106,12 @@ class Verification {
       or_finding(table_findings_, [&] {
         const auto table = parse_csv(bytes, place(name));
         append(table_findings_, table_faults(name, table));
-        proved_.read(name, table);
         note_method_digests(name, table);
         tables_.emplace(name, table);
       });
   }
 
-  /// Looks at the rows of all tables: what they say, and whether they are those of the suites.
+  /// Looks at the rows of all tables: what they say, and whether their studies are those of the suites.
   void check_rows() {
     std::set<std::string, std::less<>> promising;
     if (const auto methods = tables_.find(methods_name); methods != tables_.end())
@@ -123,7 +119,6 @@ class Verification {
     for (const auto& [name, table] : tables_) {
       or_finding(table_findings_,
                  [&, &name = name, &table = table] { append(table_findings_, row_faults(name, table, promising)); });
-      append(table_findings_, repeated_rows(name, table));
       if (expected_ && name != digests_name) check_studies(table);  // its rows repeat the studies of other tables
     }
   }
@@ -178,7 +173,6 @@ class Verification {
     const Manifest manifest = parse_manifest(text, place(manifest_name));
     if (auto fault = manifest_fault(text, place(manifest_name))) all.push_back(std::move(*fault));
     complete_ = manifest.state == complete;
-    git_commit_ = manifest.git_commit;
     if (!complete_) add(all, manifest_name, "state is partial; continue with bezierbench run");
     if (const auto digest = accuracy_digest_of_files(); digest && *digest != manifest.accuracy_digest)
       add(all, manifest_name,
@@ -196,29 +190,6 @@ class Verification {
   [[nodiscard]] std::optional<std::string> accuracy_digest_of_files() const {
     const auto found = digests_.find(digests_name);
     return complete_ && found != digests_.end() ? std::optional(found->second) : std::nullopt;
-  }
-
-  /// Looks for the tables and rows that the suites ask for.
-  void check_tables_there(Findings& all) const {
-    if (!expected_) return;
-    if (!expected_->plan.methods_csv.empty() && !folder_has(methods_name)) add(all, methods_name, "is missing");
-    for (const auto& [study, tables] : expected_->tables) {
-      if (std::ranges::none_of(tables, [&](const auto& name) { return folder_has(name); }))
-        add(all, tables.front(), "is missing, a study of suite.toml gives it");
-      else if (std::ranges::none_of(tables, [&, &study = study](const auto& name) { return has_row_of(study, name); }))
-        add(all, tables.front(), fmt::format("has no row of study {}, which is in suite.toml", study));
-    }
-    or_finding(all, [&] { append(all, coverage_faults(expected_->plan, tables_, git_commit_, path_.string())); });
-  }
-
-  [[nodiscard]] bool has_row_of(const std::string& study, const std::string& name) const {
-    const auto found = tables_.find(name);
-    if (found == tables_.end()) return folder_has(name);  // it cannot be read, which is reported
-    const auto& table = found->second;
-    if (!table.has_column("study")) return true;  // likewise
-    for (std::size_t row = 0; row < table.row_count(); ++row)
-      if (table.at(row, "study") == study) return true;
-    return false;
   }
 
   void check_sums(Findings& all) {
@@ -262,11 +233,9 @@ class Verification {
   std::map<std::string, std::string, std::less<>> digests_;  ///< by file name
   std::vector<MethodDigest> computed_;                       ///< from the rows of the tables
   std::vector<MethodDigest> listed_;                         ///< from digests.csv
-  TablesByName tables_;                                      ///< those that can be read
-  std::string git_commit_;                                   ///< of bundle.json
+  std::map<std::string, CsvDocument, std::less<>> tables_;   ///< those that can be read
   Findings suite_findings_;
   Findings table_findings_;
-  ProvedProperties proved_;
 };
 
 /// Whether the folder seems to be a damaged bundle. A single file does not suffice: any folder may have one of this

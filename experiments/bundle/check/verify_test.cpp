@@ -102,17 +102,10 @@ TEST_F(VerifyMethods, EveryDigestedColumnIsAskedFor) {
 TEST_F(Verify, MissingFiles) {
   remove("timing.csv");
   remove("machine.json");
-  EXPECT_THAT(findings(),
-              ElementsAre(EndsWith("machine.json: is missing"), HasSubstr("timing.csv: is missing, a study"),
-                          EndsWith("timing.csv: is listed in SHA256SUMS and is missing")));
+  EXPECT_THAT(findings(), ElementsAre(EndsWith("machine.json: is missing"),
+                                      EndsWith("timing.csv: is listed in SHA256SUMS and is missing")));
   remove("bundle.json");
   EXPECT_THAT(findings(), Contains(EndsWith("bundle.json: is missing")));
-}
-
-TEST_F(Verify, TablesThatItsStudiesAskFor) {
-  remove("timing.csv");
-  finish(bundle_, with_state("complete"));
-  EXPECT_THAT(findings(), ElementsAre(HasSubstr("timing.csv: is missing, a study of suite.toml gives it")));
 }
 
 TEST_F(Verify, UnknownFilesFoldersAndLeftovers) {

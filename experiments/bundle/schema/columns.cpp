@@ -62,11 +62,8 @@ Column column_of(const std::string& name, const Json& part, bool of_deterministi
                 .is_key = declared.value("key", false),
                 .is_number = holds_numbers(part),
                 .is_digested = false,
-                .is_of_machine = declared.value("of_machine", false),
                 .accuses = declared.value("accuses", std::string()),
                 .is_of_promise = declared.value("of_promise", false)};
-  if (const Json* limit = declared.find("at_most"))
-    column.at_most = Limit{.column = limit->at("column"), .unless = limit->value("unless", std::string())};
   column.is_digested = of_deterministic && declared.value("digested", true);
   return column;
 }
@@ -77,15 +74,9 @@ DeclaredTable table_of(const std::string& file, const Json& part) {
                       .is_deterministic = declared.value("deterministic", false),
                       .study = declared.value("study", std::string("study")),
                       .method = declared.value("method", std::string()),
-                      .columns = {},
-                      .for_each = std::nullopt};
+                      .columns = {}};
   for (const auto& [name, column] : declared.find("items")->at("properties").items())
     table.columns.push_back(column_of(name, column, table.is_deterministic));
-  if (const Json* rows = declared.find("for_each"))
-    table.for_each = RowsOf{.table = rows->at("table"), .where = {}, .filled = rows->at("filled")};
-  if (table.for_each)
-    for (const auto& [name, field] : declared.find("for_each")->at("where").items())
-      table.for_each->where[name] = field.get<std::string>();
   return table;
 }
 
@@ -136,10 +127,6 @@ const std::vector<DeclaredTable>& declared_tables() {
 const DeclaredTable* declared_table(std::string_view file) {
   const auto found = std::ranges::find(declared_tables(), file, &DeclaredTable::file);
   return found == declared_tables().end() ? nullptr : &*found;
-}
-
-std::vector<std::vector<std::string>> ascending_columns() {
-  return tables_schema().at("ascending").get<std::vector<std::vector<std::string>>>();
 }
 
 int written_version() { return tables_schema().at("version").get<int>(); }

@@ -2,46 +2,28 @@
 // The tables of a bundle and their columns, as tables.schema.json declares them: there is no other list.
 #pragma once
 
-#include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace bezierbench::bundle {
 
-/// A number in a row that another one is never above.
-struct Limit {
-  std::string column;
-  std::string unless;  ///< a count; where it is above 0, the limit may not hold
-};
-
 struct Column {
   std::string name;
-  bool is_key = false;         ///< one of the columns that identify a row
-  bool is_number = false;      ///< every field is a number or empty; else fields are text
-  bool is_digested = false;    ///< part of the table's digests
-  bool is_of_machine = false;  ///< a key that the suite does not determine
+  bool is_key = false;       ///< one of the columns that identify a row
+  bool is_number = false;    ///< every field is a number or empty; else fields are text
+  bool is_digested = false;  ///< part of the table's digests
   /// What a count above 0, or a `no`, says against a row, for `verify`; empty where it does not matter.
   std::string accuses = {};
   bool is_of_promise = false;  ///< it accuses only methods for which methods.csv states a bound or promise
-  std::optional<Limit> at_most = std::nullopt;
-};
-
-/// The rows of a table that another one has a row for.
-struct RowsOf {
-  std::string table;
-  std::map<std::string, std::string> where;  ///< fields of the row, by column
-  std::string filled;                        ///< a column in which it is not empty
 };
 
 struct DeclaredTable {
   std::string file;
-  bool is_deterministic = false;                  ///< suite and seed determine every bit of it
-  std::string study;                              ///< name of the column with the study of a row
-  std::string method;                             ///< name of the column with the method of a row; empty without one
-  std::vector<Column> columns;                    ///< in the order of the file
-  std::optional<RowsOf> for_each = std::nullopt;  ///< the rows that it has one for, each with the keys of this table
+  bool is_deterministic = false;  ///< suite and seed determine every bit of it
+  std::string study;              ///< name of the column with the study of a row
+  std::string method;             ///< name of the column with the method of a row; empty without one
+  std::vector<Column> columns;    ///< in the order of the file
 
   /// The column of this name; null where none is declared.
   [[nodiscard]] const Column* column(std::string_view name) const;
@@ -56,10 +38,6 @@ struct DeclaredTable {
 
 /// The table of this file name; null for a file that is not a table of a bundle.
 [[nodiscard]] const DeclaredTable* declared_table(std::string_view file);
-
-/// Lists of columns whose numbers in a row never fall from one to the next. A `*` stands for the same text in all names of
-/// a list; a column that a table does not have is left out.
-[[nodiscard]] std::vector<std::vector<std::string>> ascending_columns();
 
 /// The schema version of the bundles that this program writes and reads.
 [[nodiscard]] int written_version();

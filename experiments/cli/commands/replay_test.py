@@ -75,14 +75,6 @@ class Replay(Case):
             self.assertIn(b"DIFFERENT", self.run_program("replay", "b", row["guarantee_id"]).stdout)
             path.write_text(good)
 
-    def test_verify_finds_what_is_proved_and_refuted(self):
-        rows = self.recorded("guarantees.csv")
-        next(r for r in rows if r["verdict"] == "proved")["verdict"] = "refuted"
-        self.write(self.folder / "b/guarantees.csv", rows)
-        result = self.run_program("verify", "b")
-        self.assertEqual(result.returncode, FINDING)
-        self.assertIn(b"is refuted, and proved according to methods.csv", result.stderr)
-
     def test_says_where_the_error_comes_from(self):
         row = next(r for r in self.recorded("worst.csv") if r["method"] == "differences:horner" and r["degree"] == "4")
         text = self.fine("replay", "b", row["worst_id"])

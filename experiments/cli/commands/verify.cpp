@@ -12,9 +12,7 @@
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/cli/commands/commands.hpp"
-#include "experiments/cli/startup/curve_sets.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
-#include "experiments/cli/startup/this_build.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/run/plan.hpp"
 #include "experiments/suite/text/reader.hpp"
@@ -49,11 +47,7 @@ void print_fine(const std::string& path) {
 
 /// What a bundle must contain. Its build may have had other libraries than this one, so all known methods are allowed.
 bundle::Expected expected_of(const std::string& suite_text, const std::string& file_name) {
-  auto request = request_of_this_build();
-  request.suites = suite::parse_suites(suite_text, file_name, vocabulary_of_all_builds());
-  load_curves(request.suites);
-  record_external(request, suite::parse_external(suite_text, file_name));
-  return run::expected_of(request);
+  return run::expected_of(suite::parse_suites(suite_text, file_name, vocabulary_of_all_builds()));
 }
 
 }  // namespace

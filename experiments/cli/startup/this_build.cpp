@@ -17,7 +17,7 @@ namespace bezierbench::cli {
 run::RunRequest request_of_this_build(const external::Methods& external) {
   run::RunRequest request;
   request.kinds = {
-      sample::studies_of, studies::make_job, studies::tables_of,
+      sample::studies_of, studies::make_job,
       [external](const suite::Study& study, const suite::ExternalMethod& method, const run::JobContext& context) {
         return studies::external_job(study, method, external::find(external, method.id), context);
       },

@@ -44,15 +44,6 @@ class AccuracyJob final : public run::JobOf<judge::CellTally> {
     for (std::size_t k = 0; k < cells_.size(); ++k)
       std::visit([&](const auto& cell) { cell.write(state(k), tables); }, cells_[k]);
   }
-  void list_rows(tables::Tables& tables) const override {
-    for (const auto& cell : cells_)
-      std::visit(
-          [&](const auto& one) {
-            one.list_judgements(tables);
-            one.list_references(tables);
-          },
-          cell);
-  }
   [[nodiscard]] std::vector<tables::Series> series() const override { return collected<tables::Series>(); }
   [[nodiscard]] std::vector<run::Violation> violations() const override { return collected<run::Violation>(); }
 
@@ -105,7 +96,6 @@ extern constexpr StudyKind accuracy_kind{.asks = {.id = "accuracy",
                                                   .has_baseline = true,
                                                   .check = check_accuracy},
                                          .make = accuracy_job,
-                                         .tables = {"accuracy|unstable", "reference"},
                                          .timed = timed_evaluation,
                                          .make_external = external_accuracy_job};
 

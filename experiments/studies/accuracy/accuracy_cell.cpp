@@ -175,41 +175,13 @@ judge::CellTally AccuracyCell<Scalar>::judge_block(std::size_t block, std::span<
 }
 
 template <class Scalar>
-tables::Row AccuracyCell<Scalar>::judgement_row(std::size_t method, std::size_t baseline) const {
-  tables::Row row(methods_.is_stable(method, baseline) ? "accuracy.csv" : "unstable.csv");
-  row.set_each(tables::cell_columns(), cell_fields(method))
-      .set("trials", trials())
-      .set("baseline", study_.baseline[baseline]);
-  return row;
-}
-
-template <class Scalar>
-tables::Row AccuracyCell<Scalar>::reference_row(std::size_t method) const {
-  tables::Row row("reference.csv");
-  row.set_each(tables::cell_columns(), cell_fields(method)).set("trials", trials());
-  return row;
-}
-
-template <class Scalar>
-void AccuracyCell<Scalar>::list_judgements(tables::Tables& tables) const {
-  for (std::size_t m = 0; m < methods_.count(); ++m)
-    for (std::size_t k = 0; k < methods_.baseline_count(); ++k)
-      if (!methods_.is_baseline(m, k)) tables.add(judgement_row(m, k));
-}
-
-template <class Scalar>
-void AccuracyCell<Scalar>::list_references(tables::Tables& tables) const {
-  for (std::size_t m = 0; m < methods_.count(); ++m)
-    if (methods_.supported(methods_[m])) tables.add(reference_row(m));
-}
-
-template <class Scalar>
 void AccuracyCell<Scalar>::write(const judge::CellTally& tally, tables::Tables& tables,
                                  std::string_view failure) const {
   for (std::size_t m = 0; m < methods_.count(); ++m) {
     for (std::size_t k = 0; k < methods_.baseline_count(); ++k) {
       if (methods_.is_baseline(m, k)) continue;
-      tables::Row row = judgement_row(m, k);
+      tables::Row row(methods_.is_stable(m, k) ? "accuracy.csv" : "unstable.csv");
+      row.set_each(tables::cell_columns(), cell_fields(m)).set("trials", trials()).set("baseline", study_.baseline[k]);
       if (!methods_.judged(m, k)) {
         row.set("status", methods_.supported(methods_[m]) ? "baseline_degree_unsupported" : "degree_unsupported");
       } else if (!failure.empty()) {
@@ -247,7 +219,9 @@ void AccuracyCell<Scalar>::write_reference(std::size_t method, const judge::Cell
   for (std::size_t k = 0; k < methods_.baseline_count(); ++k)
     if (methods_.judged(method, k))
       own_kernel = tally.judgements[methods_.index(method, k)].own_kernel;  // equal for every baseline
-  tables.add(reference_row(method)
+  tables::Row row("reference.csv");
+  tables.add(row.set_each(tables::cell_columns(), cell_fields(method))
+                 .set("trials", trials())
                  .set("tier", reference::name(tier_))
                  .set("escalated", tally.escalated)
                  .set("own_kernel", own_kernel));

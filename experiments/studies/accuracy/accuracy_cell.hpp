@@ -63,9 +63,6 @@ class AccuracyCell {
 
   /// `tally` is of all blocks. With `failure`, the status of methods that gave no answer, rows have no numbers.
   void write(const judge::CellTally& tally, tables::Tables& tables, std::string_view failure = {}) const;
-  /// The keys of the rows of accuracy.csv and unstable.csv, and of those of reference.csv; see run::Job::list_rows.
-  void list_judgements(tables::Tables& tables) const;
-  void list_references(tables::Tables& tables) const;
   void collect(const judge::CellTally& tally, std::vector<tables::Series>& series) const;
   void collect(const judge::CellTally& tally, std::vector<run::Violation>& violations) const;
 
@@ -75,8 +72,6 @@ class AccuracyCell {
   [[nodiscard]] std::vector<tables::Field> cell_fields(std::size_t method) const {
     return tables::cell_fields(study_, cell_, methods_.info(method).id, judge::ScalarFacts<Scalar>::kind);
   }
-  [[nodiscard]] tables::Row judgement_row(std::size_t method, std::size_t baseline) const;
-  [[nodiscard]] tables::Row reference_row(std::size_t method) const;
   void write_worst(std::size_t method, const judge::Worst& worst, tables::Tables& tables) const;
   void write_reference(std::size_t method, const judge::CellTally& tally, tables::Tables& tables) const;
 

@@ -50,7 +50,6 @@ extern constexpr StudyKind arc_length_kind =
                                                  .double_only = true,
                                                  .parameters = suite::Parameters::from_0_to_1,
                                                  .parameters_reason = "the part to be measured"},
-                                      .check = check_arc_length},
-                                     {"arc_length|arc_length_unstable"});
+                                      .check = check_arc_length});
 
 }  // namespace bezierbench::studies

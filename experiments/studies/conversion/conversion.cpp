@@ -131,7 +131,6 @@ class ConversionJob final : public run::JobOf<metric::Rows<ChainErrors>> {
     return sum;
   }
   void write(tables::Tables& tables) const override;
-  void list_rows(tables::Tables& tables) const override;
   [[nodiscard]] std::vector<tables::Series> series() const override;
 
  protected:
@@ -144,7 +143,6 @@ class ConversionJob final : public run::JobOf<metric::Rows<ChainErrors>> {
   };
 
   [[nodiscard]] std::int64_t trials() const { return study_.trials * study_.replicates; }
-  [[nodiscard]] tables::Row key_row(const sample::Cell& cell, const Chain& chain) const;
   static double error_of(const Chain& chain, const CurveView<double>& curve);
   /// Visits all rows: by cell, then by chain in the order of the study.
   template <class Visit>
@@ -206,31 +204,21 @@ metric::Rows<ChainErrors> ConversionJob::work(std::size_t block) const {
   return tally;
 }
 
-tables::Row ConversionJob::key_row(const sample::Cell& cell, const Chain& chain) const {
-  tables::Row row("conversion.csv");
-  const auto drawn = tables::drawn_fields(cell);
-  row.set("study", study_.id)
-      .set("conversion", chain.id)
-      .set("degree", cell.degree)
-      .set("coordinate_range", drawn[0])
-      .set("generator", drawn[3])
-      .set("curves", drawn[4])
-      .set("trials", trials())
-      .set("form", name(study_.form))
-      .set("dimension", cell.dimension);
-  return row;
-}
-
-void ConversionJob::list_rows(tables::Tables& tables) const {
-  for (const Part& part : parts_)
-    for (const Chain& chain : part.chains) tables.add(key_row(part.cell, chain));
-}
-
 void ConversionJob::write(tables::Tables& tables) const {
   (void)tables.table("conversion.csv");
   each_row([&](const sample::Cell& cell, const Chain& chain, const ChainErrors& errors) {
-    tables::Row row = key_row(cell, chain);
-    row.set("mean_error", tables::field(errors.error, tables::mean))
+    tables::Row row("conversion.csv");
+    const auto drawn = tables::drawn_fields(cell);
+    row.set("study", study_.id)
+        .set("conversion", chain.id)
+        .set("degree", cell.degree)
+        .set("coordinate_range", drawn[0])
+        .set("generator", drawn[3])
+        .set("curves", drawn[4])
+        .set("trials", trials())
+        .set("form", name(study_.form))
+        .set("dimension", cell.dimension)
+        .set("mean_error", tables::field(errors.error, tables::mean))
         .set("max_error", tables::field(errors.error, tables::largest));
     const bool supported = chain.supports(cell.degree);
     row.set("status", supported ? "ok" : "degree_unsupported");
@@ -300,7 +288,6 @@ extern constexpr StudyKind conversion_kind{.asks = {.id = "conversion",
                                                                .double_only = true},
                                                     .chains = true,
                                                     .check = check_conversion},
-                                           .make = conversion_job,
-                                           .tables = {"conversion"}};
+                                           .make = conversion_job};
 
 }  // namespace bezierbench::studies

@@ -216,7 +216,6 @@ class ExhaustiveJob final : public run::JobOf<Tallies> {
     return sum;
   }
   void write(tables::Tables& tables) const override;
-  void list_rows(tables::Tables& tables) const override;
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
 
  protected:
@@ -230,7 +229,6 @@ class ExhaustiveJob final : public run::JobOf<Tallies> {
   }
 
  private:
-  [[nodiscard]] tables::Row key_row(const Part& part, const Kernel<float>& kernel) const;
   [[nodiscard]] Kernels kernels_for(const FloatCurve& curve) const;
 
   suite::Study study_;
@@ -248,24 +246,6 @@ Kernels ExhaustiveJob::kernels_for(const FloatCurve& curve) const {
   return kernels;
 }
 
-tables::Row ExhaustiveJob::key_row(const Part& part, const Kernel<float>& kernel) const {
-  tables::Row row("exhaustive.csv");
-  row.set("study", study_.id)
-      .set("curve_id", part.curve->id)
-      .set("curves", part.curve->set)
-      .set("method", kernel.info->id)
-      .set("scalar", suite::name(suite::ScalarKind::float32))
-      .set("degree", part.curve->degree())
-      .set("t_min", double{float_of(part.range.first)})
-      .set("t_max", double{float_of(part.range.last)});
-  return row;
-}
-
-void ExhaustiveJob::list_rows(tables::Tables& tables) const {
-  for (const Part& part : parts_)
-    for (const auto* kernel : part.kernels) tables.add(key_row(part, *kernel));
-}
-
 void ExhaustiveJob::write(tables::Tables& tables) const {
   (void)tables.table("exhaustive.csv");
   for (std::size_t part = 0; part < parts_.size(); ++part) {
@@ -278,7 +258,15 @@ void ExhaustiveJob::write(tables::Tables& tables) const {
     for (std::size_t m = 0; m < kernels.size(); ++m) {
       const FloatTally& tally = state(part).of.at(m);
       const float worst = float_of(tally.worst_t);
-      tables.add(key_row(parts_[part], *kernels[m])
+      tables.add(tables::Row("exhaustive.csv")
+                     .set("study", study_.id)
+                     .set("curve_id", curve->id)
+                     .set("curves", curve->set)
+                     .set("method", kernels[m]->info->id)
+                     .set("scalar", suite::name(suite::ScalarKind::float32))
+                     .set("degree", curve->degree())
+                     .set("t_min", double{float_of(range.first)})
+                     .set("t_max", double{float_of(range.last)})
                      .set("points", range.count())
                      .set("max_error_ulp", exact_error(*curve, *kernels[m], worst))
                      .set("worst_t", tables::Hexadecimal{double{worst}})
@@ -313,7 +301,6 @@ extern constexpr StudyKind exhaustive_kind{
                         .sets = suite::SetUse::required},
              .without = keys_without,
              .without_reason = "the curves are those of sets, methods compute in float, and every t is tried"},
-    .make = exhaustive_job,
-    .tables = {"exhaustive"}};
+    .make = exhaustive_job};
 
 }  // namespace bezierbench::studies

@@ -67,11 +67,6 @@ class ExternalAccuracyJob final : public run::JobOf<ExternalTally> {
     for (std::size_t k = 0; k < cells_.size(); ++k)
       std::visit([&](const auto& cell) { cell.write(state(k).tally, tables, failure(state(k))); }, cells_[k]);
   }
-  /// Rows of reference.csv are not planned, since a method that fails has none.
-  void list_rows(tables::Tables& tables) const override {
-    for (std::size_t k = 0; k < cells_.size(); ++k)
-      std::visit([&](const auto& cell) { cell.list_judgements(tables); }, cells_[k]);
-  }
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
 
  protected:

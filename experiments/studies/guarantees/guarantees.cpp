@@ -69,9 +69,6 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
     for (std::size_t part = 0; part < parts(); ++part)
       std::visit([&](const auto& question) { write(question, state(part), tables); }, questions_[part]);
   }
-  void list_rows(tables::Tables& tables) const override {
-    for (const auto& one : questions_) std::visit([&](const auto& question) { tables.add(key_row(question)); }, one);
-  }
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
   [[nodiscard]] std::vector<run::Violation> violations() const override {
     std::vector<run::Violation> all;
@@ -151,23 +148,17 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
   }
 
   template <class Scalar>
-  [[nodiscard]] tables::Row key_row(const Question<Scalar>& question) const {
+  void write(const Question<Scalar>& question, const Refutation& found, tables::Tables& tables) const {
+    const auto& statement = *question.statement;
     tables::Row row(question.method().bit_stable ? "guarantees.csv" : "guarantees_unstable.csv");
+    if (question.cell.slice) row.set("curves", question.cell.slice->set().id);
     row.set("study", study_.id)
         .set("method", question.method().id)
         .set("scalar", suite::name(scalar_of(question)))
         .set("dimension", question.cell.dimension)
         .set("degree", question.cell.degree)
-        .set("property", name(question.statement->property));
-    if (question.cell.slice) row.set("curves", question.cell.slice->set().id);
-    return row;
-  }
-
-  template <class Scalar>
-  void write(const Question<Scalar>& question, const Refutation& found, tables::Tables& tables) const {
-    const auto& statement = *question.statement;
-    tables::Row row = key_row(question);
-    row.set("guarantee_id", fmt::format("g{}", rows_of(tables) + 1))
+        .set("property", name(statement.property))
+        .set("guarantee_id", fmt::format("g{}", rows_of(tables) + 1))
         .set("verdict", question.verdict(found))
         .set("trials", found.trials)
         .set("broken", found.broken)
@@ -238,7 +229,6 @@ extern constexpr StudyKind guarantees_kind{
              .without = undrawn,
              .without_reason = "the statements are about all control points, and each says which t it is about",
              .check = check_guarantees},
-    .make = guarantees_job,
-    .tables = {"guarantees|guarantees_unstable"}};
+    .make = guarantees_job};
 
 }  // namespace bezierbench::studies

@@ -260,7 +260,6 @@ extern constexpr StudyKind hard_cases_kind{
              .without = without,
              .without_reason = "a family draws the whole case, of one coordinate, and no method takes part",
              .check = check_hard_cases},
-    .make = hard_cases_job,
-    .tables = {"hard_cases"}};
+    .make = hard_cases_job};
 
 }  // namespace bezierbench::studies

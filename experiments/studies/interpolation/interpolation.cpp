@@ -137,6 +137,6 @@ extern constexpr StudyKind interpolation_kind =
                                                      .sets_reason = "splines go through drawn points",
                                                      .independent_points = true},
                                           .check = check_interpolation},
-                                         {"interpolation"}, race::Size::points);
+                                         race::Size::points);
 
 }  // namespace bezierbench::studies

@@ -121,7 +121,6 @@ extern constexpr StudyKind inverse_arc_length_kind = companion_kind<InverseArcLe
                 .double_only = true,
                 .parameters = suite::Parameters::from_0_to_1,
                 .parameters_reason = "the share of the length at which t is sought"},
-     .check = check_inverse_arc_length},
-    {"inverse_arc_length", "spacing"});
+     .check = check_inverse_arc_length});
 
 }  // namespace bezierbench::studies

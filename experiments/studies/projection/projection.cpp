@@ -88,7 +88,6 @@ extern constexpr StudyKind projection_kind =
                                        .inputs = {.forms = suite::bernstein_form,
                                                   .forms_reason = "foot points are sought on polynomial Bezier curves",
                                                   .double_only = true,
-                                                  .independent_points = true}},
-                                      {"projection|projection_unstable"});
+                                                  .independent_points = true}});
 
 }  // namespace bezierbench::studies

@@ -71,18 +71,13 @@ class Search {
     return outcome;
   }
 
-  [[nodiscard]] tables::Row key_row() const {
+  void write(const Outcome& outcome, tables::Tables& tables) const {
     tables::Row row("search.csv");
     row.set_each(tables::cell_columns(),
                  tables::cell_fields(study_, cell_, kernel_.info->id, judge::ScalarFacts<Scalar>::kind))
         .set("trials", study_.trials)
-        .set("budget", budget());
-    return row;
-  }
-
-  void write(const Outcome& outcome, tables::Tables& tables) const {
-    tables::Row row = key_row();
-    row.set("search_id", fmt::format("s{}", tables.table("search.csv").row_count() + 1));
+        .set("budget", budget())
+        .set("search_id", fmt::format("s{}", tables.table("search.csv").row_count() + 1));
     const Found& worst = outcome.worst;
     if (worst.error_u < 0)
       row.set("status", "non_finite");
@@ -190,9 +185,6 @@ class SearchJob final : public run::JobOf<Outcome> {
     for (std::size_t part = 0; part < searches_.size(); ++part)
       std::visit([&](const auto& search) { search.write(state(part), tables); }, searches_[part]);
   }
-  void list_rows(tables::Tables& tables) const override {
-    for (const auto& one : searches_) std::visit([&](const auto& search) { tables.add(search.key_row()); }, one);
-  }
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
   [[nodiscard]] std::vector<run::Violation> violations() const override {
     std::vector<run::Violation> all;
@@ -242,7 +234,6 @@ extern constexpr StudyKind search_kind{
              .own = search_fields,
              .methods_example = "[\"de_casteljau\"]",
              .check = check_search},
-    .make = search_job,
-    .tables = {"search"}};
+    .make = search_job};
 
 }  // namespace bezierbench::studies

@@ -44,10 +44,6 @@ class TimingJob final : public RacingJob<race::RaceTimes> {
     }
     if (counts()) write_cost_rows(study(), races, tables);
   }
-  void list_rows(tables::Tables& tables) const override {
-    if (repetitions() > 0) list_timing_rows(study(), races(), tables);
-    if (counts()) list_cost_rows(study(), races(), tables);
-  }
   [[nodiscard]] std::vector<tables::Series> series() const override;
 
  protected:
@@ -184,7 +180,6 @@ extern constexpr StudyKind timing_kind{.asks = {.id = "timing",
                                                 .has_baseline = true,
                                                 .check = check_timing},
                                        .make = timing_job,
-                                       .tables = {"timing|cost"},
                                        .make_external = external_timing_job};
 
 }  // namespace bezierbench::studies

@@ -91,16 +91,6 @@ tables::Row key_row(std::string_view file, const suite::Study& study, const race
   return row;
 }
 
-tables::Row sentinel_key_row(const suite::Study& study, suite::Mode mode) {
-  tables::Row row("timing.csv");
-  row.set("study", study.id)
-      .set("form", name(study.form))
-      .set("mode", suite::name(mode))
-      .set("method", race::sentinel_name)
-      .set("scalar", suite::name(suite::ScalarKind::float64));
-  return row;
-}
-
 /// Sets the times, rounds, counts and the check of one rival, and those of the sentinels.
 void set_times(tables::Row& row, const race::RivalTimes& times, const race::SentinelTimes& sentinels) {
   const auto rounds = times.rounds();
@@ -127,7 +117,12 @@ void add_sentinel(tables::Tables& tables, const suite::Study& study, const std::
   for (const auto& race : races)
     if (race.mode == mode && !race.times.empty()) all.merge({{race.times.end() - 2, race.times.end()}});
   if (all.each.empty()) return;
-  tables::Row row = sentinel_key_row(study, mode);
+  tables::Row row("timing.csv");
+  row.set("study", study.id)
+      .set("form", name(study.form))
+      .set("mode", suite::name(mode))
+      .set("method", race::sentinel_name)
+      .set("scalar", suite::name(suite::ScalarKind::float64));
   set_times(row, all.each.back(), race::median_sentinels(all.each));
   tables.add(row);
 }
@@ -145,14 +140,6 @@ void add_timing_row(tables::Tables& tables, const suite::Study& study, const rac
   row.set("max_error_u", times.max_error_u);
   set_limit(row, race, method, race::median_of(race.operations));
   tables.add(row);
-}
-
-void list_timing_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables) {
-  for (const auto& race : races)
-    for (std::size_t m = 0; m < race.methods.size(); ++m) tables.add(key_row("timing.csv", study, race, m));
-  for (const auto mode : study.modes)
-    if (std::ranges::any_of(races, [mode](const auto& one) { return one.mode == mode && !one.methods.empty(); }))
-      tables.add(sentinel_key_row(study, mode));
 }
 
 void write_timing_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables) {
@@ -180,11 +167,6 @@ void write_cost_rows(const suite::Study& study, const std::vector<race::Race>& r
   (void)tables.table("cost.csv");
   for (const auto& race : races)
     for (std::size_t m = 0; m < race.counts.size(); ++m) add_cost_row(tables, study, race, m);
-}
-
-void list_cost_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables) {
-  for (const auto& race : races)
-    for (std::size_t m = 0; m < race.methods.size(); ++m) tables.add(key_row("cost.csv", study, race, m));
 }
 
 namespace {

@@ -20,9 +20,6 @@ namespace bezierbench::studies {
 /// dimension or degree.
 void write_timing_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables);
 
-/// The keys of the same rows, of races before they run.
-void list_timing_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables);
-
 /// The row of the method at place `method` of a race that ran. Its ratio is to the method at place `base`.
 void add_timing_row(tables::Tables& tables, const suite::Study& study, const race::Race& race, std::size_t method,
                     std::optional<std::size_t> base);
@@ -33,9 +30,6 @@ void write_cost_rows(const suite::Study& study, const std::vector<race::Race>& r
 
 /// The row of the method at place `method` of a race that was counted.
 void add_cost_row(tables::Tables& tables, const suite::Study& study, const race::Race& race, std::size_t method);
-
-/// The keys of the same rows, of races before they are counted, without the target, which depends on the processor.
-void list_cost_rows(const suite::Study& study, const std::vector<race::Race>& races, tables::Tables& tables);
 
 // complexity.csv: the growth of a study's times with the degree or the number of points, against the claims of its
 // methods.

@@ -9,13 +9,11 @@
 
 namespace bezierbench::studies {
 
-/// The kind that judges and times the methods of P. `asks` states what else suites may ask of it; `tables` is as in
-/// StudyKind.
+/// The kind that judges and times the methods of P. `asks` states what else suites may ask of it.
 template <StudiedProblem P>
-constexpr StudyKind companion_kind(suite::Kind asks, std::array<std::string_view, 2> tables = {P::table},
-                                   race::Size size = race::Size::unclaimed) {
+constexpr StudyKind companion_kind(suite::Kind asks, race::Size size = race::Size::unclaimed) {
   asks.problem = P::problem;
-  StudyKind kind{asks, trial_job<P>, tables, race::timed_companion<P>(size), judge::infos<P>};
+  StudyKind kind{asks, trial_job<P>, race::timed_companion<P>(size), judge::infos<P>};
   if constexpr (ExternalProblem<P>) kind.make_external = external_trial_job<P>;
   return kind;
 }

@@ -93,13 +93,6 @@ class TrialJob : public run::JobOf<TrialErrors<typename P::Errors>> {
     if constexpr (requires { P::write_example(tables, study_, context_.seed); })
       P::write_example(tables, study_, context_.seed);
   }
-  void list_rows(tables::Tables& tables) const override {
-    const typename P::Errors none{};
-    for (const Part& part : parts_)
-      each_row(part, [&](const auto& values, const auto& method, std::size_t /*number*/) {
-        tables.add(key_row(Row{part.part.cell, values, method, trials(), none}));
-      });
-  }
   [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
   [[nodiscard]] std::vector<run::Violation> violations() const override {
     std::vector<run::Violation> all;
@@ -195,38 +188,31 @@ class TrialJob : public run::JobOf<TrialErrors<typename P::Errors>> {
     });
   }
 
-  /// Visits all rows, part by part, with the number of their part.
+  /// Visits all rows with the number of their part: by part, then by tolerance, then by method in the order of the study.
   template <class Visit>
   void each_row(Visit&& visit) const {
-    for (std::size_t p = 0; p < parts_.size(); ++p)
-      each_row(parts_[p], [&](const auto& values, const auto& method, std::size_t number) {
-        visit(Row{parts_[p].part.cell, values, method, trials(), this->state(p).rows.at(number)}, p);
-      });
-  }
-  /// Visits the rows of a part: by tolerance, then by method in the order of the study.
-  template <class Visit>
-  void each_row(const Part& part, Visit&& visit) const {
-    std::size_t number = 0;
-    for (const double tolerance : tolerances_)
-      for (const auto* method : part.methods) {
-        auto values = part.part.values;
-        if (P::axes.tolerance) values.tolerance = tolerance;
-        visit(values, *method, number++);
-      }
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      const Part& part = parts_[p];
+      std::size_t number = 0;
+      for (const double tolerance : tolerances_)
+        for (const auto* method : part.methods) {
+          auto values = part.part.values;
+          if (P::axes.tolerance) values.tolerance = tolerance;
+          visit(Row{part.part.cell, values, *method, trials(), this->state(p).rows.at(number++)}, p);
+        }
+    }
   }
 
-  [[nodiscard]] tables::Row key_row(const Row& row) const {
+  [[nodiscard]] tables::Row row_of(const Row& row, std::string_view failure) const {
     const MethodInfo& info = *row.method.info;
+    const bool taken = judge::takes<P>(info, row.cell);
     tables::Row written(fmt::format("{}{}.csv", P::table, info.bit_stable ? "" : "_unstable"));
     written.set_each(tables::cell_columns(), tables::cell_fields(study_, row.cell, info.id, suite::ScalarKind::float64))
-        .set("trials", row.trials);
+        .set("trials", row.trials)
+        .set("status", !taken            ? "degree_unsupported"
+                       : failure.empty() ? "ok"
+                                         : failure);
     for (const judge::CaseColumn& column : P::case_columns) written.set(column.name, column.field(row.values));
-    return written;
-  }
-  [[nodiscard]] tables::Row row_of(const Row& row, std::string_view failure) const {
-    const bool taken = judge::takes<P>(*row.method.info, row.cell);
-    tables::Row written = key_row(row);
-    written.set("status", !taken ? "degree_unsupported" : failure.empty() ? "ok" : failure);
     if (taken && failure.empty())
       for (const auto& column : P::columns) written.set(column.name, column.field(row));
     return written;
