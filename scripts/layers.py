@@ -35,7 +35,7 @@ TABLE = {
         ["Google Benchmark", "Valgrind"],
     ),
     "experiments/guarantees": (["core", "reference", "experiments/sample", "experiments/judge/workspace.hpp"], []),
-    "experiments/bundle": ([], ["nlohmann/json", "valijson", "OpenSSL"]),
+    "experiments/bundle": ([], ["nlohmann/json", "OpenSSL"]),
     "experiments/tables": (
         ["reference/published", "reference/error", "experiments/suite", "experiments/sample", "experiments/bundle", "experiments/metric"],
         [],
@@ -114,7 +114,6 @@ PACKAGES = [
     ("pugixml", "pugixml"),
     ("ft2build", "FreeType"),
     ("freetype/", "FreeType"),
-    ("valijson/", "valijson"),
     ("openssl/", "OpenSSL"),
     ("CLI/", "CLI11"),
     ("valgrind/", "Valgrind"),
@@ -136,7 +135,7 @@ PACKAGES = [
     ("bezierbench/", "bezierbench"),
     ("build_facts.hpp", "CMake"),
     ("git_facts.hpp", "CMake"),
-    ("schemas.hpp", "CMake"),
+    ("tables_schema.hpp", "CMake"),
     ("peer_roster.hpp", "CMake"),
 ]
 PACKAGES += [

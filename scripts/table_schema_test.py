@@ -182,14 +182,6 @@ class TableSchema(unittest.TestCase):
                     self.assertEqual(self.whole.is_valid(less), name not in required)
             self.assertFalse(self.whole.is_valid({**good, file: [{**row, "new_column": 1}]}), file)
 
-    def test_verify_knows_the_keywords_that_constrain_columns(self):
-        """Those that table_schema.cpp applies: a column with another one would not be checked by it."""
-        applied = {"$ref", "anyOf", "type", "enum", "const", "minimum", "exclusiveMinimum", "maximum", "minLength", "pattern"}
-        parts = [column for file in SCHEMA["properties"] for column in columns(file).values()] + list(SCHEMA["$defs"].values())
-        parts = [inner for part in parts for inner in (part, *part.get("anyOf", []))]
-        used = {keyword for part in parts for keyword in part if part.get("type") not in ("array", "object")}
-        self.assertEqual(used & set(jsonschema.Draft202012Validator.VALIDATORS), applied)
-
     def test_it_refuses_other_fields(self):
         for file in SCHEMA["properties"]:
             for name, column in columns(file).items():

@@ -11,10 +11,10 @@
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/check/checked_reader.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
-#include "experiments/bundle/check/table_schema.hpp"
 #include "experiments/bundle/check/verify.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
+#include "experiments/bundle/schema/columns.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/run/notes.hpp"
 #include "experiments/run/plan.hpp"
@@ -121,7 +121,7 @@ WholeBundle copy_of(const Source& source) {
   WholeBundle whole{.files = {}, .digests = bundle::parse_digests(bundle::parse_csv(digests, bundle::digests_name))};
   for (const auto& [name, digest] : bundle::parse_sums(source.folder.directory().read(bundle::sums_name)).digests) {
     if (name == bundle::manifest_name || name == bundle::digests_name) continue;  // which finish() writes
-    if (name != suite_name && name != machine_name && !bundle::is_table_name(name))
+    if (name != suite_name && name != machine_name && bundle::declared_table(name) == nullptr)
       refuse(source.path() / name, "is listed in SHA256SUMS, but no file of a bundle; see bezierbench verify");
     whole.files.emplace_back(name, reader.read(name));
   }

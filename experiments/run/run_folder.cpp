@@ -9,9 +9,9 @@
 #include <iterator>
 #include <thread>
 
-#include "experiments/bundle/check/table_schema.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/machine.hpp"
+#include "experiments/bundle/schema/columns.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/run/notes.hpp"
 
@@ -133,7 +133,8 @@ bool RunFolder::begin(const RunRequest& request, const Plan& plan) {
     directory_->clear_away();  // blocks/, which a killed run left
     return false;
   }
-  refuse_foreign([](const std::string& name) { return bundle::is_table_name(name) || bundle::is_curves_name(name); });
+  refuse_foreign(
+      [](const std::string& name) { return bundle::declared_table(name) != nullptr || bundle::is_curves_name(name); });
   if (is_begun())
     choose_machine(request, plan);
   else

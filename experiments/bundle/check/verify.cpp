@@ -15,12 +15,11 @@
 #include "experiments/bundle/check/few_lines.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/check/row_rules.hpp"
-#include "experiments/bundle/check/schema.hpp"
-#include "experiments/bundle/check/table_schema.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/manifest.hpp"
+#include "experiments/bundle/schema/columns.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {
@@ -74,7 +73,6 @@ class Verification {
     else
       add(all, sums_name, "is missing");
     append(all, suite_findings_);
-    if (folder_has(machine_name)) or_finding(all, [&] { check_machine(all); });
     check_strays(all);
     append(all, table_findings_);
     return all;
@@ -87,7 +85,8 @@ class Verification {
     to.push_back(fmt::format("{}: {}", place(name), what));
   }
   static bool is_known(std::string_view name) {
-    return contains(required_files, name) || name == sums_name || is_table_name(name) || is_curves_name(name);
+    return contains(required_files, name) || name == sums_name || declared_table(name) != nullptr ||
+           is_curves_name(name);
   }
 
   void check_suites(const SuiteReader& read_suites) {
@@ -102,10 +101,9 @@ class Verification {
   void check_file(const std::string& name) {
     const std::string bytes = read_bundle_file(path_ / name);
     digests_[name] = sha256_hex(bytes);
-    if (is_table_name(name))
+    if (declared_table(name) != nullptr)
       or_finding(table_findings_, [&] {
         const auto table = parse_csv(bytes, place(name));
-        append(table_findings_, table_faults(name, table));
         note_method_digests(name, table);
         tables_.emplace(name, table);
       });
@@ -169,9 +167,7 @@ class Verification {
   }
 
   void check_manifest(Findings& all) {
-    const std::string text = read_bundle_file(path_ / manifest_name);
-    const Manifest manifest = parse_manifest(text, place(manifest_name));
-    if (auto fault = manifest_fault(text, place(manifest_name))) all.push_back(std::move(*fault));
+    const Manifest manifest = parse_manifest(read_bundle_file(path_ / manifest_name), place(manifest_name));
     complete_ = manifest.state == complete;
     if (!complete_) add(all, manifest_name, "state is partial; continue with bezierbench run");
     if (const auto digest = accuracy_digest_of_files(); digest && *digest != manifest.accuracy_digest)
@@ -206,11 +202,6 @@ class Verification {
     }
     for (const std::string& name : folder_.files)
       if (name != sums_name && is_known(name) && !sums.digests.contains(name)) add(all, name, "is not in SHA256SUMS");
-  }
-
-  void check_machine(Findings& all) const {
-    const std::string file = place(machine_name);
-    if (auto fault = machine_fault(read_bundle_file(file), file)) all.push_back(std::move(*fault));
   }
 
   void check_strays(Findings& all) const {

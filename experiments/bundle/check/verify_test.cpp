@@ -94,11 +94,6 @@ TEST_F(VerifyMethods, LinesThatAreMissingOrOfNoRows) {
   EXPECT_THAT(findings(), Contains(EndsWith("digests.csv: is missing")));
 }
 
-TEST_F(VerifyMethods, EveryDigestedColumnIsAskedFor) {
-  replace("accuracy.csv", ",unbounded_trials\n", ",unbounded\n");
-  EXPECT_THAT(findings(), Contains(EndsWith("accuracy.csv:1: column 'unbounded_trials' is missing")));
-}
-
 TEST_F(Verify, MissingFiles) {
   remove("timing.csv");
   remove("machine.json");
@@ -158,29 +153,11 @@ TEST_F(Verify, ManifestOfAnotherSuite) {
                                       HasSubstr("its suites are not those")));
 }
 
-TEST_F(Verify, ManifestAgainstItsSchema) {
-  Manifest other = with_state("complete");
-  other.git_commit = "main";
-  finish(bundle_, other);
-  EXPECT_THAT(findings(), ElementsAre(HasSubstr("bundle.json: git_commit: ")));
-}
-
 TEST_F(Verify, SuiteThatDoesNotRead) {
   EXPECT_THAT(
       verify(bundle_.path(),
              [](const auto&, const std::string& file) -> Expected { throw Failure(Exit::usage, file + ":1:1: what"); }),
       ElementsAre(HasSubstr("suite.toml:1:1: what")));
-}
-
-TEST_F(Verify, MachineThatIsNotJson) {
-  bundle_.write("machine.json", "{\"cpu\": \n");
-  finish(bundle_, with_state("complete"));
-  EXPECT_THAT(findings(), ElementsAre(HasSubstr("machine.json:2:1: malformed JSON")));
-}
-
-TEST_F(Verify, MachineAgainstItsSchema) {
-  change("machine.json", "\"smt\": ", "\"smt\": 3, \"smtx\": ");
-  EXPECT_THAT(findings(), ElementsAre(HasSubstr("machine.json: cpu.smt")));
 }
 
 TEST_F(Verify, CutOrDoubledSums) {
@@ -197,39 +174,14 @@ TEST_F(Verify, TableThatIsNotCsv) {
   EXPECT_THAT(findings(), ElementsAre(HasSubstr("audit.csv:2: row has 1 field")));
 }
 
-TEST_F(Verify, ColumnsOfTables) {
-  put("accuracy.csv", replaced(bundle_.read("accuracy.csv"), "mean_error,", "mean,"));
-  EXPECT_THAT(findings(), AllOf(Contains(HasSubstr("accuracy.csv:1: column 'mean' does not belong")),
-                                Contains(HasSubstr("accuracy.csv:1: column 'mean_error' is missing"))));
-}
-
-TEST_F(Verify, TypesOfFields) {
-  change("accuracy.csv", ",2,3,1,0,1,", ",two,3.5,1,0,1e,");
-  EXPECT_THAT(findings(), ElementsAre(HasSubstr("accuracy.csv:2: dimension is \"two\""),
-                                      HasSubstr("accuracy.csv:2: degree is \"3.5\""),
-                                      HasSubstr("accuracy.csv:2: t_max is \"1e\"")));
-}
-
-TEST_F(Verify, AHostileTableIsAFewLines) {
-  std::string table = bundle_.read("accuracy.csv");
-  const auto header = table.substr(0, table.find('\n') + 1);
-  const auto columns = static_cast<std::size_t>(std::ranges::count(header, ',')) + 1;
-  std::string row = "?";
-  for (std::size_t k = 1; k < columns; ++k) row += ",?";
-  table = header;
-  for (int k = 0; k < 1000; ++k) table += row + '\n';
-  bundle_.write("accuracy.csv", table);
+TEST_F(Verify, ManyRowsThatAccuseAreAFewLines) {
+  const auto table = bundle_.read("timing.csv");
+  const auto row = replaced(table.substr(table.find('\n') + 1), ",ok,yes", ",ok,no");
+  std::string many = table;
+  for (int k = 0; k < 100; ++k) many += row.substr(0, row.find('\n') + 1);
+  bundle_.write("timing.csv", many);
   finish(bundle_, with_state("complete"));
-  EXPECT_THAT(findings(), AllOf(SizeIs(testing::Lt(30U)), Contains(HasSubstr("more of that kind"))));
-}
-
-TEST_F(Verify, LongFieldsDoNotOverflowTheStack) {
-  put("worst.csv", "coefficients\n0x1p+0" + std::string(5'000'000, ' ') + "\n");
-  EXPECT_THAT(findings(), Contains(HasSubstr("worst.csv:2: coefficients is \"0x1p+0")));
-  std::string many = "0x1p+0";
-  while (many.size() < 5'000'000) many += " -0x1.8p-3";
-  put("worst.csv", "coefficients\n" + many + "\n");
-  EXPECT_THAT(findings(), testing::Each(testing::Not(HasSubstr("coefficients is"))));
+  EXPECT_THAT(findings(), AllOf(SizeIs(6), Contains(HasSubstr("95 more of that kind"))));
 }
 
 TEST_F(Verify, RowsThatAccuse) {

@@ -3,14 +3,24 @@
 
 #include <algorithm>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
-#include "experiments/bundle/schema/tables_schema.hpp"
-#include "schemas.hpp"
+#include "tables_schema.hpp"
 
 namespace bezierbench::bundle {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+const Json& tables_schema() {
+  static const Json schema = Json::parse(tables_schema_text);
+  return schema;
+}
+
+/// The part of the schema that the `$ref` of `part` names. It may have a `$ref` itself.
+const Json& referred(const Json& part) {
+  return tables_schema().at(Json::json_pointer(part.at("$ref").get_ref<const std::string&>().substr(1)));
+}
 
 /// A schema together with the schemas that it refers to.
 class Declaration {
@@ -90,15 +100,6 @@ std::vector<std::string> names(const std::vector<Column>& columns, Predicate is_
 }
 
 }  // namespace
-
-const Json& tables_schema() {
-  static const Json schema = Json::parse(tables_schema_text);
-  return schema;
-}
-
-const Json& referred(const Json& part) {
-  return tables_schema().at(Json::json_pointer(part.at("$ref").get_ref<const std::string&>().substr(1)));
-}
 
 const Column* DeclaredTable::column(std::string_view name) const {
   const auto found = std::ranges::find(columns, name, &Column::name);

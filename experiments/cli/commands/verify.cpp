@@ -54,7 +54,7 @@ bundle::Expected expected_of(const std::string& suite_text, const std::string& f
 
 void add_verify(Command program, Exit& exit) {
   auto path = std::make_shared<std::string>();
-  auto command = program.command("verify", "check a bundle: checksums, schema, digest");
+  auto command = program.command("verify", "check a bundle: checksums, digests, bounds");
   command.option("BUNDLE", *path, "folder of the bundle").required();
   command.action([path, &exit] {
     const auto findings = bundle::verify(*path, expected_of);
