@@ -11,7 +11,6 @@
 #include <system_error>
 #include <utility>
 
-#include "experiments/bundle/atomic_file.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {
@@ -22,18 +21,13 @@ namespace {
                                                 path.string(), std::generic_category().message(error)));
 }
 
-int locked(int descriptor, int operation) {
-  return uninterrupted([&] { return ::flock(descriptor, operation); });
-}
-
 }  // namespace
 
 LockFile::LockFile(std::filesystem::path path) : path_(std::move(path)) {
   constexpr int most_tries = 1000;
   for (int tries = 0; tries < most_tries; ++tries) {
     // Network file systems want write access for an exclusive lock.
-    descriptor_ = uninterrupted(
-        [&] { return ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY, 0666); });
+    descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY, 0666);
     if (descriptor_ != -1 || errno != ENOENT) break;
     if (::mkdir(path_.parent_path().c_str(), 0777) == -1 && errno != EEXIST) break;  // the folder was removed just now
   }
@@ -47,12 +41,12 @@ LockFile::LockFile(std::filesystem::path path) : path_(std::move(path)) {
 LockFile::~LockFile() { ::close(descriptor_); }
 
 bool LockFile::try_lock(Sharing sharing) {
-  if (locked(descriptor_, (sharing == Sharing::shared ? LOCK_SH : LOCK_EX) | LOCK_NB) == 0) return true;
+  if (::flock(descriptor_, (sharing == Sharing::shared ? LOCK_SH : LOCK_EX) | LOCK_NB) == 0) return true;
   unsupported_ = errno == EOPNOTSUPP || errno == ENOLCK || errno == ENOSYS;
   if (!unsupported_ && errno != EWOULDBLOCK) fail(path_, errno);
   return unsupported_;
 }
 
-void LockFile::unlock() { locked(descriptor_, LOCK_UN); }
+void LockFile::unlock() { ::flock(descriptor_, LOCK_UN); }
 
 }  // namespace bezierbench::bundle

@@ -45,7 +45,7 @@ def read(bundle: str | Path, *, frames: bool | None = None) -> Bundle:
     A table is a pandas DataFrame, where pandas can be imported or `frames` is True; otherwise a dictionary of NumPy arrays.
     Columns of numbers, decimal or hexadecimal, become float64, or int64 where all are integers; an empty field is NaN. Other
     columns are text. Raises BundleError, which names the file, for whatever is wrong with a bundle: a directory that is not one,
-    a run that is not complete, a file that is missing, changed, malformed, larger than 1 GiB or not a regular file. No link is
+    a run that is not complete, a file that is missing, changed, malformed or not a regular file. No link is
     followed. `bezierbench verify` says more.
     """
     path = Path(bundle)

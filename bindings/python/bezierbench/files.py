@@ -8,13 +8,10 @@ read bundles where neither NumPy nor libbezierbench is installed.
 from __future__ import annotations
 
 import csv
-import errno
 import hashlib
 import io
 import json
-import os
 import re
-import stat
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -23,7 +20,6 @@ from typing import Any
 SCHEMA = 3
 LAST_READER = "8a3acbc696b0"  # the last commit that reads bundles of earlier versions
 SUMS = "SHA256SUMS"
-LARGEST = 1 << 30  # bytes of a file
 _LONGEST_FIELD = 1 << 26  # bytes; a field of coefficients of degree 1023 has some 80,000
 _SHOWN = 60  # characters of a file that a message repeats
 _SUMS_LINE = re.compile(r"([0-9a-f]{64})  ([A-Za-z0-9][A-Za-z0-9._-]*)")
@@ -39,29 +35,19 @@ class NoFile(BundleError):
     """The file is not there."""
 
 
-def content(file: Path, largest: int = LARGEST) -> bytes:
-    """The bytes of a regular file, at most `largest`. A pipe would be waited for, a device has no end, and a link may lead to what
-    the reader of the bundle can see and its writer cannot."""
+def content(file: Path) -> bytes:
+    """The bytes of a regular file. A pipe would be waited for, a device has no end, and a link may lead to what the reader of the bundle
+    can see and its writer cannot."""
     try:
-        # O_NONBLOCK: opening a pipe to which nobody writes returns at once.
-        handle = os.open(file, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
-        with open(handle, "rb") as opened:
-            regular = stat.S_ISREG(os.fstat(handle).st_mode)
-            data = opened.read(largest + 1) if regular and os.fstat(handle).st_size <= largest else None
-    except (OSError, ValueError) as error:  # ValueError: a NUL in the name
-        if isinstance(error, FileNotFoundError):
-            raise NoFile(f"{file}: missing; give the directory that `bezierbench run` wrote") from None
-        if isinstance(error, OSError) and error.errno in (errno.ELOOP, errno.EMLINK):
-            raise BundleError(f"{file}: is a link, which is not followed; put the file itself there") from None
-        if isinstance(error, IsADirectoryError) or isinstance(error, OSError) and error.errno == errno.ENXIO:  # ENXIO: a socket
-            regular = False
-        else:
-            raise BundleError(f"{file}: cannot be read: {getattr(error, 'strerror', error)}; check that it is a readable file") from None
-    if not regular:
-        raise BundleError(f"{file}: is not a regular file; put the file that was written there")
-    if data is None or len(data) > largest:
-        raise BundleError(f"{file}: is larger than {largest >> 20} MiB; run fewer studies into one bundle")
-    return data
+        if file.is_symlink():
+            raise BundleError(f"{file}: is a link, which is not followed; put the file itself there")
+        if file.exists() and not file.is_file():
+            raise BundleError(f"{file}: is not a regular file; put the file that was written there")
+        return file.read_bytes()
+    except FileNotFoundError:
+        raise NoFile(f"{file}: missing; give the directory that `bezierbench run` wrote") from None
+    except OSError as error:
+        raise BundleError(f"{file}: cannot be read: {error.strerror}; check that it is a readable file") from None
 
 
 def text(file: Path, data: bytes) -> str:
