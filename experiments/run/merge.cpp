@@ -227,7 +227,7 @@ Outcome merge(RunRequest request, const std::vector<fs::path>& bundles) {
   if (complete != nullptr) {
     outcome.findings =
         bundle::verify(request.out, [&](const auto&, const auto&) { return expected_of(request.suites); });
-    if (request.telling == Telling::text)
+    if (!request.quiet)
       note(fmt::format("{}: {} was the whole bundle already", request.out.string(), complete->path().string()));
   }
   outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -203,7 +203,7 @@ void tell_unasked(const RunRequest& request, const Plan& plan) {
                                              "for its form of curves, degrees and precision",
                                              method.id, fmt::join(sentences, ", of ")));
     }
-    if (request.telling != Telling::nothing)
+    if (!request.quiet)
       for (const auto& one : studies) note(fmt::format("{}: is not asked in {}", method.id, sentence(one)));
   }
 }

@@ -8,16 +8,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
 #include "experiments/terminal.hpp"
-#include "reference/number/echo.hpp"
 
 namespace bezierbench::run {
 
-ProgressState::ProgressState(std::vector<StudyWork> studies) : studies_(std::move(studies)), done_(studies_.size()) {
+ProgressState::ProgressState(std::vector<StudyWork> studies)
+    : studies_(std::move(studies)), blocks_done_(studies_.size()) {
   for (const auto& study : studies_) {
     phases_.at(study.alone ? 1 : 0).total += study.cost;
     if (study.blocks == 0) ++studies_done_;
@@ -26,9 +25,7 @@ ProgressState::ProgressState(std::vector<StudyWork> studies) : studies_(std::mov
 
 void ProgressState::add(std::size_t study, double cost, double elapsed) {
   last_ = study;
-  auto& done = done_.at(study);
-  done.cost += cost;
-  if (++done.blocks == studies_[study].blocks) ++studies_done_;
+  if (++blocks_done_.at(study) == studies_[study].blocks) ++studies_done_;
   auto& phase = phases_.at(studies_[study].alone ? 1 : 0);
   phase.done += cost;
   phase.seconds += std::max(elapsed - elapsed_, 0.0);
@@ -51,11 +48,9 @@ ProgressView ProgressState::view() const {
   ProgressView view;
   if (studies_.empty()) return view;
   view.study = studies_[last_].id;
-  view.study_share = share(done_[last_].cost, studies_[last_].cost);
   view.share = share(phases_[0].done + phases_[1].done, phases_[0].total + phases_[1].total);
   view.studies_done = studies_done_;
   view.studies = studies_.size();
-  view.elapsed = elapsed_;
   view.left = left();
   return view;
 }
@@ -63,15 +58,14 @@ ProgressView ProgressState::view() const {
 namespace {
 
 constexpr std::chrono::milliseconds terminal_interval{200};
-constexpr std::chrono::seconds json_interval{1};
 constexpr std::chrono::seconds plain_interval{10};
 
 }  // namespace
 
-Progress::Progress(std::vector<StudyWork> studies, Telling telling)
+Progress::Progress(std::vector<StudyWork> studies, bool quiet)
     : state_(std::move(studies)),
-      telling_(telling),
-      terminal_(telling == Telling::text && isatty(STDERR_FILENO) != 0),
+      quiet_(quiet),
+      terminal_(!quiet && isatty(STDERR_FILENO) != 0),
       start_(Clock::now()),
       last_print_(start_) {}
 
@@ -82,25 +76,19 @@ Progress::~Progress() {
 double Progress::seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
 Progress::Clock::duration Progress::interval() const {
-  if (telling_ == Telling::json) return json_interval;
   return terminal_ ? Clock::duration(terminal_interval) : Clock::duration(plain_interval);
 }
 
 void Progress::add(std::size_t study, double cost) {
   const std::lock_guard lock(mutex_);
   state_.add(study, cost, seconds());
-  if (telling_ == Telling::nothing) return;
   const auto now = Clock::now();
-  const auto view = state_.view();
-  const bool study_ends = telling_ == Telling::json && view.studies_done > studies_told_;
-  if (!study_ends && now - last_print_ < interval()) return;
+  if (quiet_ || now - last_print_ < interval()) return;
   last_print_ = now;
-  studies_told_ = view.studies_done;
-  print(view);
+  print(state_.view());
 }
 
 void Progress::print(const ProgressView& view) const {
-  if (telling_ == Telling::json) return note_event(progress_json(view));
   auto line = progress_line(view);
   if (terminal_) {
     // A line that is broken by the terminal cannot be rewritten.
@@ -113,8 +101,6 @@ void Progress::print(const ProgressView& view) const {
 }
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string_view word_of(Ending ending) {
   switch (ending) {
@@ -133,12 +119,6 @@ std::string broken(const Outcome& outcome) {
   if (outcome.refuted_proofs > 0)
     parts.push_back(fmt::format("{} proof{} refuted", outcome.refuted_proofs, outcome.refuted_proofs == 1 ? "" : "s"));
   return parts.empty() ? "no bound violated" : fmt::format("{}", fmt::join(parts, ", "));
-}
-
-/// Programs need no more digits of a share or of seconds.
-double rounded(double number) {
-  constexpr double thousand = 1000;
-  return std::round(number * thousand) / thousand;
 }
 
 }  // namespace
@@ -160,18 +140,6 @@ std::string progress_line(const ProgressView& view) {
                      duration(view.left), view.study, view.studies_done, view.studies);
 }
 
-std::string progress_json(const ProgressView& view) {
-  return Json{{"event", "progress"},
-              {"study", printable(view.study)},
-              {"study_share", rounded(view.study_share)},
-              {"share", rounded(view.share)},
-              {"studies_done", view.studies_done},
-              {"studies", view.studies},
-              {"elapsed_s", rounded(view.elapsed)},
-              {"left_s", rounded(view.left)}}
-      .dump();
-}
-
 std::string ending_line(const Outcome& outcome) {
   constexpr double percent = 100;
   auto line = fmt::format("{} in {}: {} cell{}, ", word_of(outcome.ending), duration(outcome.seconds), outcome.cells,
@@ -182,29 +150,5 @@ std::string ending_line(const Outcome& outcome) {
                         percent * outcome.ratio_width);
   return line;
 }
-
-std::string ending_json(const Outcome& outcome, const std::string& out, const std::vector<std::string>& next) {
-  auto json = Json{{"event", "end"}, {"ending", word_of(outcome.ending)}, {"out", printable(out)}};
-  if (outcome.ending == Ending::complete) {
-    json["cells"] = outcome.cells;
-    json["violations"] = outcome.violations;
-    json["broken_promises"] = outcome.broken_promises;
-    json["refuted_proofs"] = outcome.refuted_proofs;
-    json["times"] = outcome.times;
-    json["ratio_width"] = rounded(outcome.ratio_width);
-  }
-  json["seconds"] = rounded(outcome.seconds);
-  json["findings"] = outcome.findings.size();
-  for (const auto& command : next) json["next"].push_back(printable(command));
-  return json.dump();
-}
-
-std::string beginning_json(std::size_t studies, std::size_t cells, std::uint64_t blocks, std::uint64_t blocks_done) {
-  return Json{
-      {"event", "begin"}, {"studies", studies}, {"cells", cells}, {"blocks", blocks}, {"blocks_done", blocks_done}}
-      .dump();
-}
-
-std::string message_json(std::string_view text) { return Json{{"event", "message"}, {"text", printable(text)}}.dump(); }
 
 }  // namespace bezierbench::run

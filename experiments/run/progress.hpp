@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The progress of a run on standard error: one line that is rewritten on a terminal, or a line at intervals elsewhere;
-// or lines of JSON.
+// The progress of a run on standard error: one line that is rewritten on a terminal, or a line at intervals elsewhere.
 #pragma once
 
 #include <array>
@@ -12,7 +11,6 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/run/notes.hpp"
 #include "experiments/run/run.hpp"
 
 namespace bezierbench::run {
@@ -28,13 +26,11 @@ struct StudyWork {
 };
 
 struct ProgressView {
-  std::string study;       ///< of the last block
-  double study_share = 0;  ///< of its work that is done
-  double share = 0;        ///< of all work
+  std::string study;  ///< of the last block
+  double share = 0;   ///< of all work that is done
   std::size_t studies_done = 0;
   std::size_t studies = 0;
-  double elapsed = 0;  ///< seconds
-  double left = 0;     ///< seconds, estimated
+  double left = 0;  ///< seconds, estimated
 };
 
 class ProgressState {
@@ -57,8 +53,8 @@ class ProgressState {
   [[nodiscard]] double left() const;
 
   std::vector<StudyWork> studies_;
-  std::vector<StudyWork> done_;
-  std::array<Phase, 2> phases_;  ///< all threads, then alone
+  std::vector<std::uint64_t> blocks_done_;  ///< by study
+  std::array<Phase, 2> phases_;             ///< all threads, then alone
   std::size_t last_ = 0;
   std::size_t studies_done_ = 0;
   double elapsed_ = 0;
@@ -66,7 +62,7 @@ class ProgressState {
 
 class Progress {
  public:
-  Progress(std::vector<StudyWork> studies, Telling telling);
+  Progress(std::vector<StudyWork> studies, bool quiet);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   Progress(Progress&&) = delete;
@@ -83,33 +79,21 @@ class Progress {
   void print(const ProgressView& view) const;
 
   ProgressState state_;
-  std::size_t studies_told_ = 0;
-  Telling telling_;
+  bool quiet_;
   bool terminal_;
   Clock::time_point start_;
   Clock::time_point last_print_;
   std::mutex mutex_;
 };
 
-// Lines for people, and objects of JSON, one per line, for programs; docs/terminal.md describes the objects.
-
 /// A time for people: "48 s", "3 min 20 s", "2 h 05 min".
 std::string duration(double seconds);
 
 /// " 43 %, about 48 s left, 2.3.1-bezier (4 of 11 studies done)", without an end of line.
 std::string progress_line(const ProgressView& view);
-std::string progress_json(const ProgressView& view);
 
 /// "complete in 48 s: 154 cells, no bound violated, 120 times, the intervals of their ratios 3.4 % wide in the
 /// median"; without cells where `outcome` has
 /// none.
 std::string ending_line(const Outcome& outcome);
-/// `next` are commands that can follow.
-std::string ending_json(const Outcome& outcome, const std::string& out, const std::vector<std::string>& next);
-
-/// What is to be done before the first block.
-std::string beginning_json(std::size_t studies, std::size_t cells, std::uint64_t blocks, std::uint64_t blocks_done);
-
-std::string message_json(std::string_view text);
-
 }  // namespace bezierbench::run

@@ -80,9 +80,7 @@ std::vector<StudyWork> work_left(const Plan& plan, const Share& share) {
 double work(const RunRequest& request, const Plan& plan, Checkpoints& checkpoints) {
   const Jobs& jobs = plan.jobs;
   const Share share(jobs, checkpoints, request.shard.value_or(Shard()));
-  if (request.telling == Telling::json)
-    note_event(beginning_json(jobs.size(), cells_of(jobs), share.count(), share.count_done()));
-  Progress progress(work_left(plan, share), request.telling);
+  Progress progress(work_left(plan, share), request.quiet);
   const auto run_one = [&](std::size_t number, std::uint64_t block) {
     if (interrupted() || checkpoints.done(number, block)) return;
     auto result = jobs[number]->run_block(block);
@@ -125,7 +123,7 @@ Outcome complete(const RunRequest& request, const Plan& plan, RunFolder& folder,
     for (const auto& line : checkpoints.load(folder.found(), Checkpoints::Whose::all)) note(line);
   }
   if (!checkpoints.all_settled()) {
-    if (request.telling == Telling::text)
+    if (!request.quiet)
       note(fmt::format("{}: {} is done, others are not", request.out.string(), name_of(request.shard)));
     Outcome outcome;
     outcome.ending = Ending::partial;
@@ -144,7 +142,7 @@ Outcome already_complete(const RunRequest& request) {
     outcome.findings.push_back(
         request.out.string() +
         ": complete, but not as it was written; restore it, or remove it and run the command again");
-  else if (request.telling == Telling::text)
+  else if (!request.quiet)
     note(request.out.string() + ": already complete, nothing to do");
   return outcome;
 }

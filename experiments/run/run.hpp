@@ -73,7 +73,7 @@ struct RunRequest {
   std::optional<Shard> shard;
   std::optional<std::chrono::milliseconds> checkpoint;  ///< between two files of finished blocks; if empty, by cost
   bool dry_run = false;
-  Telling telling = Telling::text;
+  bool quiet = false;  ///< prints no progress
   bundle::BuildFacts build;
   std::string git_commit;
   bool git_clean = false;

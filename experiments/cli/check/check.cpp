@@ -164,7 +164,7 @@ run::Outcome judge(const Suites& suites, const external::Methods& external, cons
   auto request = request_of_this_build(external);
   request.suites = suites;
   request.out = out;
-  request.telling = run::Telling::nothing;
+  request.quiet = true;
   return run::run(request);
 }
 

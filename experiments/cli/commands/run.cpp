@@ -33,23 +33,14 @@
 namespace bezierbench::cli {
 namespace {
 
-/// Commands that can follow such a run, the most useful first, as they can be pasted.
-std::vector<std::string> next_commands(const run::Outcome& outcome, const std::string& out) {
-  if (outcome.ending == run::Ending::partial) return {};  // other shards are to be run, wherever their machines are
-  std::vector<std::string> commands;
-  if (const auto report = script_of_source("report"); !report.empty())
-    commands.push_back(fmt::format("{} {}", shell_word(report.string()), shell_word(out)));
-  commands.push_back(fmt::format("{} verify {}", this_program(), shell_word(out)));
-  return commands;
-}
-
 /// Says what the run gave, where it is and what can be done with it.
-void tell_ending(const run::Outcome& outcome, const std::string& out, run::Telling telling) {
-  if (telling == run::Telling::json)
-    return run::note_event(run::ending_json(outcome, out, next_commands(outcome, out)));
-  if (telling == run::Telling::nothing || outcome.ending != run::Ending::complete) return;
+void tell_ending(const run::Outcome& outcome, const std::string& out, bool quiet) {
+  if (quiet || outcome.ending != run::Ending::complete) return;
   run::note(fmt::format("{}: {}", out, run::ending_line(outcome)));
-  run::note(fmt::format("next: {}", next_commands(outcome, out).front()));
+  const auto report = script_of_source("report");
+  run::note(fmt::format("next: {} {}",
+                        report.empty() ? fmt::format("{} verify", this_program()) : shell_word(report.string()),
+                        shell_word(out)));
 }
 
 struct RunOptions {
@@ -61,7 +52,6 @@ struct RunOptions {
   std::optional<std::string> checkpoint;
   bool dry_run = false;
   bool quiet = false;
-  std::optional<std::string> progress;
   bool host_name = false;
 };
 
@@ -72,14 +62,6 @@ std::chrono::milliseconds pause(const std::string& text) {
   if (!seconds || !(*seconds >= 0 && *seconds <= day))
     throw Failure(Exit::usage, fmt::format("--checkpoint {}: must be a number of seconds from 0 to {}", text, day));
   return std::chrono::milliseconds(std::llround(*seconds * milliseconds));
-}
-
-run::Telling telling_of(const RunOptions& options) {
-  if (options.quiet && options.progress)
-    throw Failure(Exit::usage,
-                  fmt::format("--progress {}: cannot be combined with --quiet; remove one of them", *options.progress));
-  if (options.quiet) return run::Telling::nothing;
-  return options.progress == "json" ? run::Telling::json : run::Telling::text;
 }
 
 /// Studies that ask for counts get none where Valgrind is missing; one line says so.
@@ -104,8 +86,7 @@ Exit run(const RunOptions& options, const ExternalOptions& external) {
   auto known = vocabulary();
   for (const auto& method : request.external) known.methods.push_back(method.id);
   if (options.out.empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
-  request.telling = telling_of(options);
-  if (request.telling == run::Telling::json) run::write_notes_as_json();
+  request.quiet = options.quiet;
   request.suites = options.suites.read(known);
   request.curve_files = curves_beside(request.suites);
   for (const auto& file : options.suites.files()) require_recorded(file.string(), methods);
@@ -127,7 +108,7 @@ Exit run(const RunOptions& options, const ExternalOptions& external) {
   }
   const auto outcome = run::run(request);
   const auto exit = say_findings(outcome.findings);
-  if (!options.dry_run) tell_ending(outcome, options.out, request.telling);
+  if (!options.dry_run) tell_ending(outcome, options.out, options.quiet);
   return exit;
 }
 
@@ -150,11 +131,10 @@ Exit merge(const MergeOptions& options) {
   request.curve_files = curves_beside(request.suites);
   record_external(request, suite::parse_external(text, place));
   request.out = options.out;
-  request.telling = options.quiet ? run::Telling::nothing : run::Telling::text;
-  const auto telling = request.telling;
+  request.quiet = options.quiet;
   const auto outcome = run::merge(std::move(request), bundles);
   const auto exit = say_findings(outcome.findings);
-  tell_ending(outcome, options.out, telling);
+  tell_ending(outcome, options.out, options.quiet);
   return exit;
 }
 
@@ -179,8 +159,6 @@ void add_run(Command program, Exit& exit, std::span<const external::OwnMethod> o
   options->suites.add_counts(command);
   command.flag("--host-name", options->host_name, "record the name of the host in machine.json");
   command.flag("--quiet", options->quiet, "print errors only");
-  command.option("--progress", options->progress, "progress on standard error: text, or one JSON object per line")
-      .one_of({"text", "json"});
   command.footer("The keys of a [[study]] in a suite file:\n\n" + kinds_text());
   external->add(command);
   command.action([options, external, &exit] { exit = run(*options, *external); });

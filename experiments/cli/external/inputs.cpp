@@ -308,7 +308,7 @@ Exit judge(const JudgeOptions& options) {
   if (options.out->empty()) throw Failure(Exit::usage, "--out: is empty; name a folder");
   request.curve_files = curves_beside(request.suites);
   request.out = *options.out;
-  request.telling = run::Telling::nothing;
+  request.quiet = true;
   const auto of_run = run::run(request).findings;
   findings.insert(findings.end(), of_run.begin(), of_run.end());
   return say_findings(findings);

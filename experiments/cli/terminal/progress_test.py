@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""What `run` says on a terminal, in a file and to programs, and shipped suites. Usage: progress_test.py BEZIERBENCH"""
-import json
+"""What `run` says on a terminal, and in a file, and shipped suites. Usage: progress_test.py BEZIERBENCH"""
 import os
 import pty
 import re
@@ -124,38 +123,6 @@ class ShippedSuites(Case):
 
 
 class Progress(Case):
-    def events(self, *arguments):
-        result = self.run_program("run", *arguments, "--out", "b", "--progress", "json")
-        self.assertEqual((result.returncode, result.stdout), (FINE, b""), result.stderr)
-        return [json.loads(line) for line in result.stderr.decode().splitlines()]
-
-    def test_json(self):
-        suite = self.suite({**STUDY, "degree": "[3, 4]"}, {**STUDY, "id": '"other"'}, {**SHORT_TIMING, "degree": "[3, 4]"})
-        first, *progress, last = self.events(suite)
-        self.assertEqual({key: first[key] for key in ("event", "studies", "blocks_done")},
-                         {"event": "begin", "studies": 3, "blocks_done": 0})
-        self.assertLessEqual({"a", "other", "t"}, {event["study"] for event in progress})
-        shares = [event["share"] for event in progress]
-        self.assertEqual(shares, sorted(shares))
-        for event in progress:
-            self.assertEqual(set(event), {"event", "study", "study_share", "share", "studies_done", "studies",
-                                          "elapsed_s", "left_s"})
-        self.assertEqual((progress[-1]["share"], progress[-1]["studies_done"], progress[-1]["left_s"]), (1, 3, 0))
-        self.assertEqual({key: last[key] for key in ("event", "ending", "out", "cells", "violations", "findings")},
-                         {"event": "end", "ending": "complete", "out": "b", "cells": first["cells"], "violations": 0,
-                          "findings": 0})
-        self.assertGreater(last["times"], 0)
-        for command in last["next"]:
-            self.assertIn(" b", command)
-        self.assertEqual([event["ending"] for event in self.events(suite)], ["nothing_to_do"])
-
-    def test_documented(self):
-        """docs/terminal.md has every member of every event."""
-        text = (ROOT / "docs/terminal.md").read_text(encoding="utf-8")
-        for event in self.events(self.suite(SHORT_TIMING)):
-            for key in (*event, event["event"]):
-                self.assertIn(f"`{key}`", text)
-
     def test_the_end_of_a_run(self):
         result = self.run_program("run", self.suite({**STUDY, "degree": "[3, 4]"}, SHORT_TIMING), "--out", "b")
         self.assertEqual((result.returncode, result.stdout), (FINE, b""))
@@ -170,7 +137,6 @@ class Progress(Case):
 
     def test_quiet(self):
         self.assertEqual(self.fine("run", self.suite(), "--quiet", "--out", "b"), "")
-        self.refused(USAGE, ["run", self.suite(), "--quiet", "--progress", "json", "--out", "b"], "--quiet")
 
 
 if __name__ == "__main__":
