@@ -78,10 +78,13 @@ std::optional<std::string> BundleDirectory::read_if_listed(std::string_view name
 
 std::string BundleDirectory::read_listed(std::string_view name) const {
   auto bytes = read_if_listed(name);
-  if (!bytes)
-    fail(path_ / name, has(name) ? "is not what SHA256SUMS lists; restore both, or choose another --out"
-                                 : "is missing; restore it, or choose another --out");
+  if (!bytes) fail(path_ / name, has(name) ? "is not what SHA256SUMS lists; restore both" : "is missing; restore it");
   return std::move(*bytes);
+}
+
+std::optional<CsvDocument> BundleDirectory::table(std::string_view name) const {
+  if (!has(name) && !parse_sums(read(sums_name)).digests.contains(std::string(name))) return std::nullopt;
+  return parse_csv(read_listed(name), place(name));
 }
 
 bool BundleDirectory::has(std::string_view name) const {
@@ -89,9 +92,7 @@ bool BundleDirectory::has(std::string_view name) const {
   return fs::is_regular_file(fs::symlink_status(path_ / name, ignored));
 }
 
-Manifest BundleDirectory::manifest() const {
-  return parse_manifest(read(manifest_name), (path_ / manifest_name).string());
-}
+Manifest BundleDirectory::manifest() const { return parse_manifest(read(manifest_name), place(manifest_name)); }
 
 void BundleDirectory::make_partial_before_change() const {
   if (!has(manifest_name)) return;
@@ -112,7 +113,7 @@ void BundleDirectory::finish(Manifest manifest, const std::vector<MethodDigest>&
   manifest.accuracy_digest = sha256_hex(text);
   if (manifest.state != partial) write_if_different(digests_name, text);
   const std::string manifest_text = manifest_json(manifest);
-  (void)parse_manifest(manifest_text, (path_ / manifest_name).string());  // never write what could not be read again
+  (void)parse_manifest(manifest_text, place(manifest_name));  // never write what could not be read again
 
   Folder folder = list_folder(path_);
   const auto no_own_line = [](const std::string& name) {  // hidden files belong to the desktop or the file server

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "experiments/bundle/check/method_digest.hpp"
+#include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/manifest.hpp"
 
 namespace bezierbench::bundle {
@@ -46,6 +47,12 @@ class BundleDirectory {
 
   /// The same, but throws Failure(Exit::input_output) where the other is empty.
   [[nodiscard]] std::string read_listed(std::string_view name) const;
+
+  /// The rows of the table `name`, as read_listed; empty where the bundle has no such file, and lists none.
+  [[nodiscard]] std::optional<CsvDocument> table(std::string_view name) const;
+
+  /// The path of the file `name`, for messages.
+  [[nodiscard]] std::string place(std::string_view name) const { return (path_ / name).string(); }
 
   /// Whether there is a regular file `name`.
   [[nodiscard]] bool has(std::string_view name) const;

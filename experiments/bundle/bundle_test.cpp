@@ -149,10 +149,14 @@ TEST(Bundle, ListedIsWhatNobodyChanged) {
   bundle.finish(with_state("partial"));
   EXPECT_EQ(bundle.read_listed("suite.toml"), bundle.read("suite.toml"));
   EXPECT_EQ(bundle.read_if_listed("absent.csv"), std::nullopt);
+  EXPECT_EQ(bundle.table("accuracy.csv")->row_count(), parse_csv(bundle.read("accuracy.csv"), "").row_count());
+  EXPECT_FALSE(bundle.table("absent.csv"));
   folder.put("b/suite.toml", bundle.read("suite.toml") + "\n");
   EXPECT_EQ(bundle.read_if_listed("suite.toml"), std::nullopt);
   EXPECT_THROW((void)bundle.read_listed("suite.toml"), Failure);
   EXPECT_THROW((void)bundle.read_listed("absent.csv"), Failure);
+  fs::remove(bundle.path() / "accuracy.csv");
+  EXPECT_THROW((void)bundle.table("accuracy.csv"), Failure);
 }
 
 TEST(Bundle, ClearingAwayChangesNoResult) {

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <utility>
 
+#include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/schema/columns.hpp"
 
@@ -27,13 +29,13 @@ const bundle::CsvDocument& Side::table(const std::string& file) const {
 }
 
 Side read_side(const std::filesystem::path& path) {
-  const bundle::CheckedReader reader(path);
-  Side side{.name = path.string(), .manifest = reader.manifest()};
+  const auto bundle = bundle::BundleDirectory::open(path);
+  Side side{.name = path.string(), .manifest = bundle.manifest()};
   for (const auto file : {std::string_view("machine.json"), bundle::manifest_name})
-    std::ranges::move(bundle::facts(reader.read(file), reader.place(file)), std::back_inserter(side.facts));
-  for (const auto& table : bundle::declared_tables())
-    if ((table.is_deterministic || table.file == timing_file || table.file == cost_file) && reader.has(table.file))
-      side.tables.emplace(table.file, bundle::parse_csv(reader.read(table.file), reader.place(table.file)));
+    std::ranges::move(bundle::facts(bundle.read_listed(file), bundle.place(file)), std::back_inserter(side.facts));
+  for (const auto& declared : bundle::declared_tables())
+    if (declared.is_deterministic || declared.file == timing_file || declared.file == cost_file)
+      if (auto table = bundle.table(declared.file)) side.tables.emplace(declared.file, std::move(*table));
   return side;
 }
 

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/bundle/check/checked_reader.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/json_object.hpp"
 #include "experiments/bundle/manifest.hpp"

@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "experiments/bundle/bundle.hpp"
-#include "experiments/bundle/check/checked_reader.hpp"
 #include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/check/verify.hpp"
 #include "experiments/bundle/digest.hpp"
@@ -114,16 +113,16 @@ const Source& with_machine(const std::vector<Source>& sources, const Jobs& jobs)
 
 /// The files of a complete bundle, as they were written.
 WholeBundle copy_of(const Source& source) {
-  const bundle::CheckedReader reader(source.path());
-  const std::string digests = reader.read(bundle::digests_name);
+  const auto& bundle = source.folder.directory();
+  const std::string digests = bundle.read_listed(bundle::digests_name);
   if (bundle::sha256_hex(digests) != source.folder.manifest().accuracy_digest)
     refuse(source.path(), "is complete, but its accuracy digest is that of other files; see bezierbench verify");
   WholeBundle whole{.files = {}, .digests = bundle::parse_digests(bundle::parse_csv(digests, bundle::digests_name))};
-  for (const auto& [name, digest] : bundle::parse_sums(source.folder.directory().read(bundle::sums_name)).digests) {
+  for (const auto& [name, digest] : bundle::parse_sums(bundle.read(bundle::sums_name)).digests) {
     if (name == bundle::manifest_name || name == bundle::digests_name) continue;  // which finish() writes
     if (name != suite_name && name != machine_name && bundle::declared_table(name) == nullptr)
       refuse(source.path() / name, "is listed in SHA256SUMS, but no file of a bundle; see bezierbench verify");
-    whole.files.emplace_back(name, reader.read(name));
+    whole.files.emplace_back(name, bundle.read_listed(name));
   }
   return whole;
 }

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "experiments/bundle/atomic_file.hpp"
+#include "experiments/bundle/bundle.hpp"
 #include "experiments/cli/check/programs.hpp"
 #include "experiments/cli/check/report.hpp"
 #include "experiments/cli/commands/commands.hpp"
@@ -232,9 +233,9 @@ Exit tell(const CheckOptions& options, Report& report, const std::vector<compare
 }
 
 Suites suites_of_bundle(const fs::path& path) {
-  const bundle::CheckedReader reader(path);
+  const auto bundle = bundle::BundleDirectory::open(path);
   constexpr const char* file = "suite.toml";
-  auto suites = suite::parse_suites(reader.read(file), reader.place(file), vocabulary_of_all_builds());
+  auto suites = suite::parse_suites(bundle.read_listed(file), bundle.place(file), vocabulary_of_all_builds());
   load_curves(suites);
   return suites;
 }

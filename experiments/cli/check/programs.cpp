@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "experiments/bundle/check/checked_reader.hpp"
+#include "experiments/bundle/bundle.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/terminal/shell_word.hpp"
 #include "experiments/compare/side.hpp"
@@ -129,8 +129,7 @@ bundle::CsvDocument timed(const TestedProgram& program, const Programs& programs
   const auto out = programs.scratch / "times";
   fs::remove_all(out);
   run_suite(program, programs.suite, out, {});
-  const bundle::CheckedReader reader(out);
-  return bundle::parse_csv(reader.read(compare::timing_file), reader.place(compare::timing_file));
+  return bundle::BundleDirectory::open(out).table(compare::timing_file).value();
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "experiments/bundle/check/checked_reader.hpp"
+#include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/schema/columns.hpp"
 #include "experiments/cli/commands/comparison_text.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
@@ -52,16 +52,16 @@ struct Errors {
 
 Errors errors_of(const std::string& method, const std::filesystem::path& bundle) {
   Errors errors;
-  const bundle::CheckedReader reader(bundle);
+  const auto directory = bundle::BundleDirectory::open(bundle);
   for (const auto& declared : bundle::declared_tables()) {
-    if (declared.method.empty() || declared.column("status") == nullptr || !reader.has(declared.file)) continue;
-    const auto table = bundle::parse_csv(reader.read(declared.file), reader.place(declared.file));
-    for (std::size_t at = 0; at < table.row_count(); ++at) {
-      const tables::TableRow row(table, at);
+    if (declared.method.empty() || declared.column("status") == nullptr) continue;
+    const auto table = directory.table(declared.file);
+    for (std::size_t at = 0; table && at < table->row_count(); ++at) {
+      const tables::TableRow row(*table, at);
       const bool is_exact = !row.has("baseline") || row.text("baseline") == "exact";
       if (row.text(declared.method) != method || !is_exact) continue;
       if (row.text("status") == "ok")
-        errors.add(row, compare::Inputs(declared, table, at, table));
+        errors.add(row, compare::Inputs(declared, *table, at, *table));
       else if (!row.text("status").ends_with("_unsupported"))
         ++errors.failed;
     }

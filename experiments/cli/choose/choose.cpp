@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-#include "experiments/bundle/check/checked_reader.hpp"
+#include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/choose/choose_on_curves.hpp"
 #include "experiments/cli/choose/class_choice.hpp"
@@ -131,17 +131,14 @@ std::string remedy(const Wish& wish) {
 }
 
 Evidence read_evidence(const Wish& wish) {
-  const bundle::CheckedReader reader(wish.bundle);
-  const auto table = [&](const std::string& file) -> std::optional<bundle::CsvDocument> {
-    if (!reader.has(file)) return std::nullopt;
-    return bundle::parse_csv(reader.read(file), reader.place(file));
-  };
-  auto timing = table("timing.csv");
+  const auto bundle = bundle::BundleDirectory::open(wish.bundle);
+  auto timing = bundle.table("timing.csv");
   if (!timing) refuse(wish, "does not have times; choose from another bundle");
   std::vector<bundle::CsvDocument> accuracies;
-  for (const std::string file : {"accuracy.csv", "unstable.csv"})
-    if (auto found = table(file)) accuracies.push_back(std::move(*found));
-  return {std::move(*timing), table("cost.csv"), tables::JudgedTables(std::move(accuracies)), table("methods.csv")};
+  for (const auto* file : {"accuracy.csv", "unstable.csv"})
+    if (auto found = bundle.table(file)) accuracies.push_back(std::move(*found));
+  return {std::move(*timing), bundle.table("cost.csv"), tables::JudgedTables(std::move(accuracies)),
+          bundle.table("methods.csv")};
 }
 
 /// The counted instructions of the methods, where the bundle has them.

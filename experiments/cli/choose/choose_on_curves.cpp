@@ -11,7 +11,7 @@
 #include <memory>
 #include <utility>
 
-#include "experiments/bundle/check/checked_reader.hpp"
+#include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/startup/curve_sets.hpp"
 #include "experiments/cli/startup/diagnostics.hpp"
@@ -144,10 +144,8 @@ Times measured(suite::Study study, const std::vector<RankedMethod>& candidates, 
 class Answers {
  public:
   Answers() {
-    for (const auto& folder : {real_folder(), answers_folder()}) {
-      bundle::CheckedReader reader(folder);
-      timings_.push_back(bundle::parse_csv(reader.read("timing.csv"), reader.place("timing.csv")));
-    }
+    for (const auto& folder : {real_folder(), answers_folder()})
+      timings_.push_back(bundle::BundleDirectory::open(folder).table("timing.csv").value());
   }
 
   /// Of several studies the first that has most of the methods; its times can be compared with each other.

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/bundle/check/checked_reader.hpp"
+#include "experiments/bundle/bundle.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/curve/curve_file.hpp"
 #include "experiments/cli/external/external_options.hpp"
@@ -102,16 +102,15 @@ class WorstRecord {
 };
 
 /// The row with this id. Throws Failure(usage) that lists the ids where there is none.
-WorstRecord find_worst_record(const bundle::CheckedReader& bundle, const std::string& id) {
+WorstRecord find_worst_record(const bundle::BundleDirectory& bundle, const std::string& id) {
   std::vector<std::string> there;
   for (const WorstFile& file : worst_files) {
-    if (!bundle.has(file.name)) continue;
-    auto table = bundle::parse_csv(bundle.read(file.name), bundle.place(file.name));
-    const std::size_t rows = table.row_count();
+    auto table = bundle.table(file.name);
+    const std::size_t rows = table ? table->row_count() : 0;
     for (std::size_t row = 0; row < rows; ++row)
-      if (table.at(row, file.id) == id) return {std::move(table), row, file};
+      if (table->at(row, file.id) == id) return {std::move(*table), row, file};
     if (rows > 0)
-      there.push_back(fmt::format("{} to {} in {}", table.at(0, file.id), table.at(rows - 1, file.id), file.name));
+      there.push_back(fmt::format("{} to {} in {}", table->at(0, file.id), table->at(rows - 1, file.id), file.name));
   }
   if (there.empty())
     throw Failure(Exit::usage,
@@ -317,8 +316,7 @@ void add_replay(Command program, Exit& exit, std::span<const external::OwnMethod
   external->add(command);
   command.option("--answers", options->answers, "the file that `judge` read").takes(file_value);
   command.action([options, external, &exit] {
-    const bundle::CheckedReader reader(options->bundle);
-    const WorstRecord record = find_worst_record(reader, options->id);
+    const WorstRecord record = find_worst_record(bundle::BundleDirectory::open(options->bundle), options->id);
     const auto cell = record.cell();
     if (record.is_about_property()) {
       exit = replay_property(options->id, record, cell);

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "experiments/bundle/check/checked_reader.hpp"
+#include "experiments/bundle/bundle.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/curve_sets.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
@@ -98,10 +98,10 @@ const suite::Study& only_study(const std::vector<suite::Suite>& suites, const st
 
 Chosen chosen(const TrialsOptions& options) {
   check_that_cells_are_set(options.set);
-  const bundle::CheckedReader reader(options.bundle);
+  const auto bundle = bundle::BundleDirectory::open(options.bundle);
   const auto known = vocabulary();
   constexpr const char* name = "suite.toml";
-  auto suites = suite::parse_suites(reader.read(name), reader.place(name), known);
+  auto suites = suite::parse_suites(bundle.read_listed(name), bundle.place(name), known);
   load_curves(suites);
   suite::apply(narrowing(options, {}), suites, known);
   const auto there = scalar_cells(only_study(suites, options.study));

@@ -33,16 +33,13 @@ std::int64_t sum(const bundle::CsvDocument& table, std::string_view column) {
 void print_fine(const std::string& path) {
   fmt::print("{}: fine\n", printable(path));
   const auto bundle = bundle::BundleDirectory::open(path);
-  const auto table = [&](const char* name) { return bundle::parse_csv(bundle.read(name), name); };
-  constexpr const char* reference_name = "reference.csv";
-  if (bundle.has(reference_name))
+  if (const auto reference = bundle.table("reference.csv"))
     fmt::print(
         "of {} evaluations that accuracy studies judged, {} went through the kernels that are timed, the others "
         "through kernels for many curves at once\n",
-        sum(table(reference_name), "trials"), sum(table(reference_name), "own_kernel"));
-  if (bundle.has(bundle::digests_name))
-    fmt::print("{} digests by table, study and method, each that of its rows\n",
-               table(bundle::digests_name).row_count());
+        sum(*reference, "trials"), sum(*reference, "own_kernel"));
+  if (const auto digests = bundle.table(bundle::digests_name))
+    fmt::print("{} digests by table, study and method, each that of its rows\n", digests->row_count());
 }
 
 /// What a bundle must contain. Its build may have had other libraries than this one, so all known methods are allowed.
