@@ -42,7 +42,7 @@ class CsvRecords {
   /// Throws CsvFault.
   [[noreturn]] void refuse(std::size_t line, std::string_view what) const;
 
-  /// The first record. Throws CsvFault for an empty text, for characters that a terminal could act on, and for a name
+  /// The first record. Throws CsvFault for an empty text, for control characters, and for a name
   /// that is empty or occurs twice.
   std::vector<std::string> header();
   /// The next record. Throws CsvFault unless it has as many fields as the header.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/cli/startup/diagnostics.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <string_view>
 
@@ -11,16 +10,8 @@
 namespace bezierbench::cli {
 
 void say(const std::string& text) {
-  constexpr std::size_t longest_word = 400;  // in bytes; an option or a field of a file may have megabytes
-  constexpr std::size_t longest_line = 1000;
-  std::string_view rest = std::string_view(text).substr(0, text.find_last_not_of(" \n") + 1);
-  std::string line;
-  while (!rest.empty()) {
-    const auto word = rest.substr(0, rest.find(' '));
-    rest.remove_prefix(std::min(word.size() + 1, rest.size()));
-    line += shortened(word, longest_word) + (rest.empty() ? "" : " ");
-  }
-  run::note(shortened(line, longest_line), "bezierbench: ");
+  constexpr std::size_t longest = 1000;  // in bytes; an option may have megabytes
+  run::note(shortened(std::string_view(text).substr(0, text.find_last_not_of(" \n") + 1), longest), "bezierbench: ");
 }
 
 Exit say_findings(std::span<const std::string> findings) {
