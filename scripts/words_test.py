@@ -2,10 +2,6 @@
 # SPDX-License-Identifier: MIT
 """Finds turns of phrase that scripts/words.csv says to avoid, in tracked sources, pages and messages.
 
-words_test.py            prints one line per finding and exits 1 if there is any
-words_test.py --update   removes the files that have become clean from scripts/words_unmended.txt
-
-The files of words_unmended.txt may still have such phrases. One that has none fails until it is removed from the list.
 A phrase is a regular expression for whole words; a line break, with the sign of a comment, counts as a space.
 """
 import bisect
@@ -14,14 +10,12 @@ import itertools
 import os
 import re
 import subprocess
-import sys
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 PHRASES = ROOT / "scripts/words.csv"
-UNMENDED = ROOT / "scripts/words_unmended.txt"
-OURS = {PHRASES, UNMENDED, Path(__file__).resolve()}
+OURS = {PHRASES, Path(__file__).resolve()}
 TEXT = re.compile(r"\.(?:cpp|hpp|h|c|py|md|cmake|in|sh|j2|js|mjs|sbatch|toml)$|(?:^|/)CMakeLists\.txt$|^\.ci/|^scripts/[^.]+$"
                   r"|^experiments/bundle/schema/.*\.json$")
 NOT_OURS = re.compile(r"^(?:results|site|report/(?:vendor|atlas|baseline|answers)|reference/published)/")
@@ -78,23 +72,13 @@ class Rules(unittest.TestCase):
 
 
 class Words(unittest.TestCase):
-    """Every tracked file, against the list of those that are not mended yet."""
-
     def test_files(self):
-        known, unmended, faults = phrases(), UNMENDED.read_text(encoding="utf-8").split(), []
-        unclean = set()
-        for name in tracked():
-            found = findings((ROOT / name).read_text(encoding="utf-8"), known)
-            unclean |= {name} if found else set()
-            if name not in unmended:
-                faults += [f"{name}:{line}: '{phrase}'; write: {write}" for line, phrase, write in found]
-        if sys.argv[1:] == ["--update"]:
-            UNMENDED.write_text("".join(f"{name}\n" for name in unmended if name in unclean), encoding="utf-8")
-        else:
-            faults += [f"{UNMENDED.name}: {name} has no phrase of {PHRASES.name}; remove the line (words_test.py --update)"
-                       for name in unmended if name not in unclean]
+        """Every tracked file."""
+        known = phrases()
+        faults = [f"{name}:{line}: '{phrase}'; write: {write}" for name in tracked()
+                  for line, phrase, write in findings((ROOT / name).read_text(encoding="utf-8"), known)]
         self.assertFalse(faults, "\n" + "\n".join(faults))
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main()

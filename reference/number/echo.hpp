@@ -27,7 +27,7 @@ inline std::string printable(std::string_view text) {
   return shown;
 }
 
-/// The place of the first control character but for tabs and line ends; npos where there is none.
+/// The place of the first control character except for tabs and line ends; npos where there is none.
 inline std::size_t first_unprintable(std::string_view text) {
   const auto found =
       std::ranges::find_if(text, [](char c) { return is_control(c) && c != '\t' && c != '\n' && c != '\r'; });

@@ -153,7 +153,7 @@ class Bundles(Case):
         self.assertEqual(self.manifest("b")["accuracy_digest"], hashlib.sha256(text).hexdigest())
 
     def test_a_method_that_is_added_changes_no_digest(self):
-        """Though it comes first and other rows of worst.csv are numbered anew."""
+        """Though it comes first and worst.csv gives its rows other numbers."""
         self.bundle(self.suite(STUDY, CONVERSION))
         self.suite({**STUDY, "methods": '["horner_bernstein", "direct", "de_casteljau"]'}, CONVERSION)
         self.bundle("s.toml", name="more")
