@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <unordered_set>
 #include <utility>
@@ -61,12 +60,6 @@ std::string CsvTable::text() const {
   std::string text = csv_line(columns_);
   for (const Fields& row : rows_) text += csv_line(row);
   return text;
-}
-
-CsvDocument::CsvDocument(std::string file_name, std::vector<std::string> header,
-                         std::vector<std::vector<std::string>> rows)
-    : file_name_(std::move(file_name)), header_(std::move(header)), rows_(std::move(rows)), lines_(rows_.size()) {
-  std::iota(lines_.begin(), lines_.end(), 2);
 }
 
 bool CsvDocument::has_column(std::string_view name) const { return std::ranges::find(header_, name) != header_.end(); }

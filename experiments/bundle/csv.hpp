@@ -35,10 +35,6 @@ class CsvTable {
 /// A table that was read: a header of distinct names, and rows that each have one field per name.
 class CsvDocument {
  public:
-  CsvDocument() = default;
-  /// A table as parse_csv would give it. There are as many fields in each row as in the header.
-  CsvDocument(std::string file_name, std::vector<std::string> header, std::vector<std::vector<std::string>> rows);
-
   [[nodiscard]] const std::vector<std::string>& header() const { return header_; }
   [[nodiscard]] std::size_t row_count() const { return rows_.size(); }
   [[nodiscard]] bool has_column(std::string_view name) const;
@@ -69,8 +65,8 @@ class CsvDocument {
 
 /// Parses a whole file. A byte order mark and CRLF are accepted; blanks belong to their field. Throws
 /// Failure(Exit::input_output) with "FILE_NAME:LINE: ..." for an empty file, an empty or repeated column name, a row
-/// with more or fewer fields than the header, a blank line, a misplaced or unterminated quote, a bare CR, a
-/// character that is not text, such as NUL or those that act on a terminal.
+/// with more or fewer fields than the header, a blank line, a misplaced or unterminated quote, a bare CR or
+/// another control character.
 [[nodiscard]] CsvDocument parse_csv(std::string_view text, std::string_view file_name);
 
 }  // namespace bezierbench::bundle

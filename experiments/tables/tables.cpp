@@ -71,12 +71,6 @@ std::string Table::text() const {
   return text;
 }
 
-bundle::CsvDocument Table::document() const {
-  std::vector<std::vector<std::string>> rows;
-  for (const Row& row : rows_) rows.push_back(row.texts());
-  return {declared_.file, declared_.header(), std::move(rows)};
-}
-
 Table& Tables::table(std::string_view file) {
   const auto found = tables_.find(file);
   return found != tables_.end() ? found->second : tables_.try_emplace(std::string(file), declared(file)).first->second;

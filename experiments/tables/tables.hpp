@@ -71,8 +71,6 @@ class Table {
   [[nodiscard]] WrittenTable written() const;
   /// The bytes of the file alone.
   [[nodiscard]] std::string text() const;
-  /// The table as verify reads it from a file.
-  [[nodiscard]] bundle::CsvDocument document() const;
 
  private:
   const bundle::DeclaredTable& declared_;
