@@ -67,7 +67,7 @@ struct MethodInfo {
   std::string_view promise = {};  ///< of a companion problem's method: the property that its results have, for people
   bool bit_stable = true;         ///< false where libm decides the last bits
   OneMinusT one_minus_t = OneMinusT::unused;
-  std::string_view flops;     ///< in n and d, per point; for a conversion, per curve
+  std::string_view flops;     ///< in n and d, per point, a fused multiply-add being one; for a conversion, per curve
   int cost_exponent = 1;      ///< k of the claim that these flops are O(n^k)
   int prepare_exponent = 1;   ///< k of the claim that `prepare` costs O(n^k); not for conversions
   std::string_view citation;  ///< keys of reference/published/SOURCES.md in brackets, each with its section or equation

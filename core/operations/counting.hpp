@@ -65,13 +65,30 @@ class Counting {
   Counting& operator*=(const Counting& b) { return *this = *this * b; }
   Counting& operator/=(const Counting& b) { return *this = *this / b; }
 
-  friend bool operator<(const Counting& a, const Counting& b) { return a.value_ < b.value_; }
-  friend bool operator<=(const Counting& a, const Counting& b) { return a.value_ <= b.value_; }
-  friend bool operator>(const Counting& a, const Counting& b) { return a.value_ > b.value_; }
-  friend bool operator>=(const Counting& a, const Counting& b) { return a.value_ >= b.value_; }
+  /// A comparison, which knows whether it depends on t: then so does what it chooses.
+  struct Truth {
+    bool value;
+    bool is_constant_in_t;
+    double ready;
+
+    operator bool() const { return value; }  // NOLINT(google-explicit-constructor): as a comparison of numbers
+  };
+  friend Truth operator<(const Counting& a, const Counting& b) { return truth(a.value_ < b.value_, a, b); }
+  friend Truth operator<=(const Counting& a, const Counting& b) { return truth(a.value_ <= b.value_, a, b); }
+  friend Truth operator>(const Counting& a, const Counting& b) { return b < a; }
+  friend Truth operator>=(const Counting& a, const Counting& b) { return b <= a; }
+  friend Counting select(const Truth& condition, const Counting& first, const Counting& second) {
+    Counting chosen = condition ? first : second;
+    chosen.is_constant_in_t_ = chosen.is_constant_in_t_ && condition.is_constant_in_t;
+    chosen.ready_ = std::max(chosen.ready_, condition.ready);
+    return chosen;
+  }
   friend bool operator==(const Counting& a, const Counting& b) { return a.value_ == b.value_; }
 
  private:
+  static Truth truth(bool value, const Counting& a, const Counting& b) {
+    return {value, a.is_constant_in_t_ && b.is_constant_in_t_, std::max(a.ready_, b.ready_)};
+  }
   static Counting after(Operation kind, double value, std::initializer_list<Counting> operands) {
     if (std::ranges::all_of(operands, &Counting::is_constant_in_t_)) return Counting(value);
     tape.count[kind] += 1;

@@ -27,9 +27,9 @@ struct ByOperation {
     for (std::size_t kind = 0; kind < operation_kinds; ++kind) values[kind] += other.values[kind];
     return *this;
   }
-  /// All of them, a fused multiply-add being two.
+  /// All of them, a fused multiply-add being one.
   [[nodiscard]] constexpr double flops() const {
-    double sum = (*this)[Operation::fused];
+    double sum = 0;
     for (const double value : values) sum += value;
     return sum;
   }

@@ -3,7 +3,7 @@
 //   r, the power, Horner's sum and their product is a pair value + error, to first order.
 // Source: [Delgado and Pena 2016] (a compensated Volk-Schumaker algorithm); [Schumaker and Volk 1986] (the ratio form,
 //   which is compensated here).
-// Cost: 14dn + 7d + about 12 log2 n + 12 flops per point, two of them divisions; products by fused multiply-add.
+// Cost: at most 14dn + 7d + 12 log2 n + 19 flops per point, two of them divisions; products by fused multiply-add.
 // Bound: u |p| + 2 gamma_(3n+9)^2 p~, and 4n u^2 p~ more past n = 54; about 18 n^2 u^2 p~ in all. `CorrectedPair`
 //   bounds a pair's error part by k u and what the pair misses by q u^2, relative to its magnitude. A product has
 //   k = k_a + k_b + 1. It misses the product of the two errors, k_a k_b, and rounds its correction: three times each k
@@ -84,7 +84,7 @@ struct CompensatedVolkSchumaker : SameForEveryAxis {
                           .underflow_scales_with_coefficients = true,
                           .growth = [](int n) { return integer_power(2.0, n); },
                           .result_roundings = 1},
-      .flops = "14dn + 7d + 12 log2 n + 12",
+      .flops = "at most 14dn + 7d + 12 log2 n + 19",
       .citation = "[Delgado and Pena 2016]; [Schumaker and Volk 1986]"};
   static constexpr LaneRegisters lanes{.per_axis = 2, .shared = 6};
 

@@ -5,7 +5,7 @@
 //   (correctly_rounded_integers.hpp).
 // Source: [Schumaker and Volk 1986] (the ratio form); [Graillat et al. 2009] (compensation, here with a fused step);
 //   [de Dinechin et al. 2013] (the test).
-// Cost: 10dn + 10d + about 8 log2 n + 12 flops per point, two of them divisions, where the pair decides: all but about
+// Cost: at most 10dn + 8d + 8 log2 n + 16 flops per point, two of them divisions, where the pair decides: all but about
 //   2^-38 max|b| / |p| of random points at n = 20. The integers take microseconds there.
 // Bound: u |p|, and eta/2 where the result is subnormal: it is correctly rounded. That of the pair is
 //   e = 2 (q + k) u^2 max|b|, derived in docs/proofs/correctly_rounded.md.
@@ -48,7 +48,7 @@ struct CorrectlyRounded {
                           .underflow = [](int /*n*/) { return 0.5; },  // where the result is subnormal
                           .unit_interval_only = true,
                           .result_roundings = 1},
-      .flops = "10dn + 10d + 8 log2 n + 12",
+      .flops = "at most 10dn + 8d + 8 log2 n + 16",
       .citation = "[Schumaker and Volk 1986]; [Graillat et al. 2009]; [de Dinechin et al. 2013]; bound derived here"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 6, .one_curve_only = true};
 

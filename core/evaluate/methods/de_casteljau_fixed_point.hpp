@@ -71,7 +71,7 @@ struct DeCasteljauFixedPoint {
                                    .label = "de Casteljau, fixed point",
                                    .form = Form::bernstein,
                                    .unit_interval_only = true,
-                                   .flops = "1 sub + 1 fma, d (n(n+1)/2 + 1) times",
+                                   .flops = "d(n(n+1) + 2)",
                                    .cost_exponent = 2,
                                    .citation = "[Rump et al. 2008], section 3, for the offset; bound derived here"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 6, .one_curve_only = true};

@@ -18,7 +18,7 @@ struct DeCasteljauLerpFma : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{.id = "de_casteljau_lerp_fma",
                                    .label = "de Casteljau, a + t(b - a), fused",
                                    .form = Form::bernstein,
-                                   .flops = "1 sub + 1 fma, d n(n+1)/2 times",
+                                   .flops = "d n(n+1)",
                                    .cost_exponent = 2,
                                    .citation = "[Document 004], with fused linear interpolation"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 6, .largest_fixed_degree = 12};

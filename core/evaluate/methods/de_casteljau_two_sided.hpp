@@ -3,7 +3,7 @@
 //   p(t) = b_0^n. The interpolation starts from the end that t is nearer to.
 // Source: [Farin 2002], the de Casteljau algorithm, with linear interpolation in its two-sided form; the bound is
 //   derived here.
-// Cost: 3 d n(n+1)/2 + 1 flops per point.
+// Cost: 3 d n(n+1)/2 + 2 flops per point.
 // Bound: gamma_3n p~ for t <= 2, else gamma_4n p~: three roundings a level; for t > 2, 1-t is rounded as well.
 // Keeps: ends_exact, constant_reproduced, in_hull, monotone for n = 1, and what all variants keep:
 //   docs/proofs/de_casteljau.md.
@@ -25,7 +25,7 @@ struct DeCasteljauTwoSided : TakenAsGiven<Form::bernstein> {
                                                        .factor = [](int n, double u) { return gamma_over_u(4 * n, u); },
                                                        .underflow = [](int n) { return 1.0 * n; },
                                                        .growth = [](int) { return 2.0; }},
-                                   .flops = "3d n(n+1)/2 + 1",
+                                   .flops = "3d n(n+1)/2 + 2",
                                    .cost_exponent = 2,
                                    .citation = "[Farin 2002], with two-sided linear interpolation; bound derived here"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 6};

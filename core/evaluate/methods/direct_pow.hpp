@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: p(t) = sum C(n,i) pow(t, i) pow(1-t, n-i) b_i: the definition, with the library's pow for every power.
 // Source: [Document 000], section 1.
-// Cost: 2(n+1) calls of pow and n + d(2n+1) flops per point.
+// Cost: 2(n+1) calls of pow and 2(n+1) + 2d(n+1) flops per point.
 // Bound: none. libm decides the last bits of pow, so the rows of this method are kept out of the digested files.
 // Fails: it is slow, and not reproducible across C libraries.
 #pragma once
@@ -20,7 +20,7 @@ struct DirectPow {
                                    .max_degree_float = 131,
                                    .bit_stable = false,
                                    .one_minus_t = OneMinusT::summed,
-                                   .flops = "2(n+1) pow + n + d(2n+1)",
+                                   .flops = "2(n+1) pow and 2(n+1) + 2d(n+1)",
                                    .citation = "[Document 000], section 1"};
 
   template <class Scalar, int Dimension, int Degree>

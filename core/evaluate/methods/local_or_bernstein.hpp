@@ -56,7 +56,7 @@ struct LocalOrBernstein {
                           .growth = HornerBernsteinFma::info.bound->growth,
                           .of_local = &of_local},
       .one_minus_t = OneMinusT::summed,
-      .flops = "dn fma + 1, d(n+3) fma + 3d + 1, or n(1+d) + dn fma + 1",
+      .flops = "dn + 1 or d(n+6) + 1 or n(1+2d) + 1",
       .prepare_exponent = 2,
       .citation = "[Farin 2002], nested multiplication, with fused steps; bound derived here"};
   static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 3};

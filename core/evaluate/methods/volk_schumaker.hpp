@@ -2,7 +2,7 @@
 // Formula: p = (1-t)^n (c_0 + r (c_1 + r (c_2 + ...))), r = t/(1-t), for t <= 1/2; else
 //   p = t^n (c_n + r (c_(n-1) + ...)), r = (1-t)/t; with c_i = C(n,i) b_i from `prepare`.
 // Source: [Schumaker and Volk 1986].
-// Cost: 2dn + d + about 2 log2 n + 1 flops and one division per point.
+// Cost: at most 2dn + d + 2 log2 n + 4 flops per point, one of them a division.
 // Bound: gamma_(4n+3) p~, and n more roundings past n = 54. Term i has 1 + binomial roundings in c_i. Each power of r
 //   brings the rounding of a quotient; the rounding of 1-t in r^i and in (1-t)^n cancels to n-i. Horner's scheme has 2i
 //   + 1, the power, by squaring, n-1, the last product 1: at most 4n + 2 + binomial roundings. (1-t)^n may underflow,
@@ -37,7 +37,7 @@ struct VolkSchumaker : SameForEveryAxis {
                      .underflow_scales_with_coefficients = true,
                      .growth = [](int n) { return integer_power(2.0, n); }},
       .one_minus_t = OneMinusT::summed,
-      .flops = "2dn + d + 2 log2 n + 2",
+      .flops = "at most 2dn + d + 2 log2 n + 4",
       .citation = "[Schumaker and Volk 1986]"};
   static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 2};
 

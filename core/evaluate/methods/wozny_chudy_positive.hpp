@@ -2,7 +2,7 @@
 // Formula: as wozny_chudy, with both weights as quotients of the same denominator D = k (1-t) + (n-k+1) t h, h =
 //   h_(k-1): Q_k = (k (1-t)/D) Q_(k-1) + ((n-k+1) t h/D) b_k. Nothing is subtracted.
 // Source: [Wozny and Chudy 2020], remark on the accuracy of 1 - h_k.
-// Cost: n (6 + 3d) flops and 2n + 1 divisions per point, O(d) memory.
+// Cost: n (6 + 3d) + 3 flops per point, 2n + 1 of them divisions, O(d) memory.
 // Bound: gamma_((3n+2)(n+1)) p~ for 0 <= t <= 1; wozny_chudy_weights.hpp derives it.
 // Fails: outside [0,1] the combinations are no longer convex and a denominator may vanish.
 #pragma once
@@ -25,7 +25,7 @@ struct WoznyChudyPositive : TakenAsGiven<Form::bernstein> {
                           .underflow_scales_with_coefficients = true,
                           .unit_interval_only = true},
       .one_minus_t = OneMinusT::normalised,
-      .flops = "n(6+3d) + 2, 2n + 1 of them divisions",
+      .flops = "n(6+3d) + 3, 2n + 1 of them divisions",
       .citation = "[Wozny and Chudy 2020], remark on the weights"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 3};
 

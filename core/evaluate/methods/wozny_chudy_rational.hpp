@@ -3,7 +3,7 @@
 //   `prepare`; Q_k = (1-h_k) Q_(k-1) + h_k b_k; p = Q_n. Of t and 1-t the larger is divided out.
 // Source: [Wozny and Chudy 2020], the rational case of the algorithm, whose h_k is
 //   w_k (n-k+1) t h_(k-1) / (w_(k-1) k (1-t) + w_k (n-k+1) t h_(k-1)).
-// Cost: n (5 + 3d) + 2 flops per point, n + 1 of them divisions; O(d) memory; per curve 4n.
+// Cost: n (5 + 3d) + 3 flops per point, n + 1 of them divisions; O(d) memory; per curve 4n.
 // Bound: none relative to p~: 1 - h_k cancels where h_k is near 1 (wozny_chudy_positive avoids that).
 // Fails: a weight of 0 between others makes 0/0. Outside [0,1] or with weights of both signs a denominator may vanish.
 #pragma once
@@ -21,7 +21,7 @@ struct WoznyChudyRational {
                                    .label = "Wozny-Chudy, rational",
                                    .form = Form::rational,
                                    .one_minus_t = OneMinusT::normalised,
-                                   .flops = "n(5+3d) + 2, n + 1 of them divisions",
+                                   .flops = "n(5+3d) + 3, n + 1 of them divisions",
                                    .citation = "[Wozny and Chudy 2020], rational curves"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 3, .one_curve_only = true};
 

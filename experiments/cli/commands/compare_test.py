@@ -188,7 +188,7 @@ class Compare(Case):
         self.assertEqual(self.run_program("verify", "x").returncode, FINE)
         gate = ["compare", "x", "y", "--fail-on", "costlier"]
         self.edit("cost.csv", lambda row: row.update(cycles_zen4="1000000"), "y")
-        self.assertEqual(self.run_program(*gate).returncode, FINE, "predictions are no counts")
+        self.assertEqual(self.run_program(*gate).returncode, FINE, "a prediction is not a count")
         self.edit("cost.csv", lambda row: row.update(instructions=repr(1.1 * float(row["instructions"])))
                   if row["method"] == "direct" else None, "y")
         result = self.run_program(*gate)
