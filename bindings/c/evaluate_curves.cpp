@@ -135,6 +135,39 @@ class Curves {
       *reinterpret_cast<Vector*>(to + k) = *reinterpret_cast<const Vector*>(from + k);
   }
 
+  /// The coefficients of a group, side by side.
+  void gather_curves(std::size_t first, std::size_t some, Scalar* to) const {
+    const bool is_dense = of_points_.axis == 1 && of_points_.point == d_;
+    if (!is_dense || some < lanes) {
+      for (std::size_t i = 0; i < coefficients_; ++i)
+        for (std::ptrdiff_t axis = 0; axis < d_; ++axis, to += lanes)
+          gather(coefficient(first, i, axis), of_points_.curve, some, to);
+      return;
+    }
+    const std::size_t numbers = coefficients_ * static_cast<std::size_t>(d_);
+    const Scalar* from = coefficient(first, 0, 0);
+    std::size_t i = 0;
+    for (; i + 4 <= numbers; i += 4)
+      for (std::size_t k = 0; k < lanes; k += 4)
+        transpose(from + places(k) * of_points_.curve + i, of_points_.curve, to + i * lanes + k);
+    for (; i < numbers; ++i) gather(from + i, of_points_.curve, lanes, to + i * lanes);
+  }
+
+  /// Four numbers of each of four curves, which are `step` apart.
+  static void transpose(const Scalar* from, std::ptrdiff_t step, Scalar* to) {
+    using Four [[gnu::vector_size(4 * sizeof(Scalar)), gnu::aligned(sizeof(Scalar)), gnu::may_alias]] = Scalar;
+    const auto row = [&](int k) { return *reinterpret_cast<const Four*>(from + k * step); };
+    const auto store = [&](int i, Four column) { *reinterpret_cast<Four*>(to + i * places(lanes)) = column; };
+    const Four even = __builtin_shufflevector(row(0), row(1), 0, 4, 2, 6);
+    const Four odd = __builtin_shufflevector(row(0), row(1), 1, 5, 3, 7);
+    const Four even_too = __builtin_shufflevector(row(2), row(3), 0, 4, 2, 6);
+    const Four odd_too = __builtin_shufflevector(row(2), row(3), 1, 5, 3, 7);
+    store(0, __builtin_shufflevector(even, even_too, 0, 1, 4, 5));
+    store(1, __builtin_shufflevector(odd, odd_too, 0, 1, 4, 5));
+    store(2, __builtin_shufflevector(even, even_too, 2, 3, 6, 7));
+    store(3, __builtin_shufflevector(odd, odd_too, 2, 3, 6, 7));
+  }
+
   /// Some groups at once: a load of a vector that was just stored in parts would wait for the stores.
   void evaluate_groups(const batch::GroupKernel<Scalar>& group) const {
     constexpr auto room = static_cast<std::size_t>(max_degree_of_groups + 1) * c::max_dimension * lanes;
@@ -145,10 +178,8 @@ class Curves {
     for (std::size_t begin = 0; begin < batch_.curves; begin += at_once) {
       const std::size_t end = std::min(begin + at_once, batch_.curves);
       Scalar* next = given.data();
-      for (std::size_t first = begin; first < end; first += lanes)
-        for (std::size_t i = 0; i < coefficients_; ++i)
-          for (std::ptrdiff_t axis = 0; axis < d_; ++axis, next += lanes)
-            gather(coefficient(first, i, axis), of_points_.curve, std::min(lanes, end - first), next);
+      for (std::size_t first = begin; first < end; first += lanes, next += values)
+        gather_curves(first, std::min(lanes, end - first), next);
       const Scalar* evaluated = given.data();
       for (std::size_t first = begin; first < end; first += lanes, evaluated += values) {
         if (group.convert != nullptr) group.convert(batch_.degree, evaluated, converted.data());
