@@ -34,6 +34,7 @@ def worst_miss(found, cycles):
 
 
 def processors():
+    """Their ids in the columns of cost.csv."""
     return [name.removeprefix("cycles_") for name in schema.columns("cost.csv") if name.startswith("cycles_")]
 
 

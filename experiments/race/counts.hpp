@@ -16,9 +16,9 @@
 namespace bezierbench::race {
 
 /// The options with which Callgrind counts what count() asks for.
-inline constexpr std::string_view callgrind_options[]{"--tool=callgrind", "--collect-atstart=no", "--instr-atstart=no",
-                                                      "--cache-sim=yes",  "--branch-sim=yes",     "--quiet",
-                                                      "--dump-instr=yes", "--demangle=no"};
+inline constexpr std::string_view callgrind_options[]{
+    "--tool=callgrind", "--collect-atstart=no", "--instr-atstart=no", "--cache-sim=yes",       "--branch-sim=yes",
+    "--quiet",          "--dump-instr=yes",     "--demangle=no",      "--compress-strings=no", "--compress-pos=no"};
 
 /// Of a point, on a processor that is not here; see processor_models.hpp.
 struct Cycles {

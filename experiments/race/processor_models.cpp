@@ -31,61 +31,33 @@ struct Executed {
   double calls = 0;                      ///< by functions of the kernel
 };
 
-/// The text behind `(number) `, or without it the one that the number had before.
-std::string_view name_of(std::string_view text, std::map<std::string_view, std::string_view>& names) {
-  const auto end = text.find(')');
-  const auto number = text.substr(0, end);
-  if (end + 2 < text.size()) names[number] = text.substr(end + 2);
-  return names[number];
-}
-
-/// Positions are absolute, or `+` and `-` distances from the last one, or `*` where it is the same.
-Address position(std::string_view word, Address last) {
-  if (word == "*") return last;
-  const bool is_relative = word[0] == '+' || word[0] == '-';
-  const auto digits = word.substr(is_relative ? 1 : 2);
-  Address value = 0;
-  std::from_chars(digits.data(), digits.data() + digits.size(), value, is_relative ? 10 : 16);
-  return !is_relative ? value : word[0] == '+' ? last + value : last - value;
-}
-
 /// Whether a function is of the loops over points that this folder has; `name` is the linker's.
 bool is_of_race(std::string_view name) { return name.find("11bezierbench4race") != std::string_view::npos; }
 
 /// Empty for a file without a rival's counts. Adds the linker's names of the functions of the program.
 std::optional<Executed> executed_of(const std::string& file, const std::string& program,
-                                    std::set<std::string, std::less<>>& functions) {
+                                    std::set<std::string>& functions) {
   std::optional<Executed> all;
-  std::map<std::string_view, std::string_view> objects;
-  std::map<std::string_view, std::string_view> names;
-  std::string_view function;
   bool is_program = false;
+  bool is_kernel = false;
   bool is_call = false;  // the next line has the counts of a called function, which its own lines have, too
-  Address address = 0;
-  for (std::size_t start = 0, end = 0; start < file.size(); start = end + 1) {
-    end = std::min(file.find('\n', start), file.size());
-    const auto line = std::string_view(file).substr(start, end - start);
+  std::istringstream lines(file);
+  for (std::string line; std::getline(lines, line);) {
     if (const auto counted = counted_of(line)) all.emplace().points = static_cast<double>(counted->points);
-    if (!all || line.empty()) continue;
-    const auto key = line.substr(0, line.find('='));
-    const auto value = line.substr(std::min(key.size() + 1, line.size()));
-    if (key == "ob") {
-      is_program = name_of(value, objects) == program;
-    } else if (key == "fn") {
-      function = name_of(value, names);
-      if (is_program) functions.emplace(function);
-    } else if (key == "cob" || key == "cfn") {
-      name_of(value, key == "cob" ? objects : names);
-    } else if (key == "calls") {
+    if (!all) continue;
+    if (line.starts_with("ob=")) {
+      is_program = line.substr(3) == program;
+    } else if (line.starts_with("fn=")) {
+      is_kernel = !is_of_race(line);
+      if (is_program) functions.insert(line.substr(3));
+    } else if (line.starts_with("calls=")) {
       is_call = true;
-      if (!is_of_race(function)) all->calls += std::stod(std::string(value));
-    } else if (line.starts_with("0x") || std::string_view("+-*").find(line[0]) != std::string_view::npos) {
-      std::istringstream words{std::string(line)};
-      std::string word;
-      std::string source_line;
+      if (is_kernel) all->calls += std::stod(line.substr(std::string_view("calls=").size()));
+    } else if (line.starts_with("0x")) {
+      Address address = 0;
+      std::size_t source_line = 0;
       double times = 0;
-      words >> word >> source_line >> times;
-      address = position(word, address);
+      std::istringstream(line) >> std::hex >> address >> std::dec >> source_line >> times;
       if (!std::exchange(is_call, false)) (is_program ? all->times[address] : all->elsewhere) += times;
     }
   }
@@ -226,7 +198,7 @@ std::vector<std::string> simulation(const Processor& processor, int passes) {
 }
 
 void add_cycles(std::span<std::string> files, const std::string& program, const RunProgram& run) {
-  std::set<std::string, std::less<>> functions;
+  std::set<std::string> functions;
   std::map<std::size_t, Kernel> kernels;  // by file
   for (std::size_t f = 0; f < files.size(); ++f)
     if (auto executed = executed_of(files[f], program, functions);
