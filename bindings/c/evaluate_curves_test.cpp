@@ -287,9 +287,11 @@ TEST(EvaluateCurves, ThreadsDoNotDisturbEachOtherAndNothingIsAllocated) {
   const Problem<float> one(horner_bernstein, 3, 9, 3, 1000);
   const auto right = groups.alone();
   const auto right_float = one.alone();
-  std::vector<double> first(right.size());
   // The first call of a process finds out which targets its processor has, and keeps them.
+  std::vector<double> first(right.size());
+  std::vector<float> first_float(right_float.size());
   ASSERT_EQ(evaluate("horner_bernstein", groups.batch, groups.points.data(), {}, groups.t.data(), first.data()), BB_OK);
+  ASSERT_EQ(evaluate("horner_bernstein", one.batch, one.points.data(), {}, one.t.data(), first_float.data()), BB_OK);
   std::vector<std::thread> threads;
   for (int k = 0; k < 8; ++k)
     threads.emplace_back([&] {

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "core/evaluate/roster.hpp"
+#include "core/operations/operations.hpp"
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "reference/number/number.hpp"
@@ -37,9 +39,10 @@ struct Seen {
 /// The methods with fused operations, as their counts of operations say.
 std::set<std::string> fused_methods() {
   std::set<std::string> fused;
-  const auto methods = table("methods.csv");
-  for (std::size_t row = 0; row < methods.row_count(); ++row)
-    if (methods.at(row, "flops").find("fma") != std::string::npos) fused.insert(methods.at(row, "id"));
+  for (const MethodInfo* method : infos_of(Evaluators())) {
+    const auto counted = point_operations(*method, 5, 2, Layout::points);
+    if (counted && (*counted)[Operation::fused] > 0) fused.emplace(method->id);
+  }
   return fused;
 }
 

@@ -239,10 +239,11 @@ bool looks_like_a_bundle(const Folder& folder) {
 
 }  // namespace
 
-Findings verify(const fs::path& path, const SuiteReader& read_suites) {
+Findings verify(const fs::path& path, const SuiteReader& read_suites, bool beside_other_runs) {
   Folder folder = list_folder(path);
   if (!looks_like_a_bundle(folder))
     return {fmt::format("{}: is not a bundle; give a folder that bezierbench run wrote", path.string())};
+  if (beside_other_runs) std::erase(folder.others, blocks_name);
   return Verification(path, std::move(folder)).findings(read_suites);
 }
 

@@ -24,11 +24,12 @@ using SuiteReader = std::function<Expected(const std::string& text, const std::s
 /// What is wrong with a bundle's files, one line each, in a fixed order; empty where nothing is. Checks that
 /// bundle.json can be read, is `complete` and belongs to this suite.toml; that the files are there which every bundle
 /// has; every listed file, the accuracy digest, digests.csv line by line, and the checksums; that no other files or
-/// folders are there; that every table is CSV; and that no row says that a bound or a
-/// promise was broken or that timed output differed from the judged one, or names a study that is not in suite.toml. It
-/// finds accidents, not forgeries: whoever changes rows can make their digests and checksums, too. A folder that is not a
-/// bundle gives one line that says so. Throws Failure(Exit::input_output) where `path` is not a folder or a file cannot
-/// be read.
-[[nodiscard]] std::vector<std::string> verify(const std::filesystem::path& path, const SuiteReader& read_suites);
+/// folders are there; that every table is CSV; and that no row says that a bound or a promise was broken or that timed
+/// output differed from the judged one, or names a study that is not in suite.toml. It finds accidents, not forgeries:
+/// whoever changes rows can make their digests and checksums, too. A folder that is not a bundle gives one line that
+/// says so. Throws Failure(Exit::input_output) where `path` is not a folder or a file cannot be read.
+/// Blocks beside a complete bundle are a finding, unless other runs may be at work there: those tidy up in turn.
+[[nodiscard]] std::vector<std::string> verify(const std::filesystem::path& path, const SuiteReader& read_suites,
+                                              bool beside_other_runs = false);
 
 }  // namespace bezierbench::bundle
