@@ -48,6 +48,8 @@ class Curve {
   [[nodiscard]] int degree() const { return static_cast<int>(coefficients_.cols()) - 1; }
   [[nodiscard]] Scalar operator()(int axis, int i) const { return coefficients_.coeff(axis, i); }
   [[nodiscard]] Scalar& operator()(int axis, int i) { return coefficients_.coeffRef(axis, i); }
+  /// Coefficient degree() - k.
+  [[nodiscard]] Scalar from_end(int axis, int k) const { return (*this)(axis, degree() - k); }
   /// The coefficients in memory, point by point.
   [[nodiscard]] const Scalar* data() const { return coefficients_.data(); }
 

@@ -30,6 +30,7 @@ class Curve<F, L, DimensionT, one_of_two> {
   [[nodiscard]] HWY_INLINE L operator()(int axis, int i) const {
     return select(is_first_, first_(axis, i), second_(axis, i));
   }
+  [[nodiscard]] HWY_INLINE L from_end(int axis, int k) const { return (*this)(axis, degree() - k); }
 
  private:
   const typename L::Mask& is_first_;  // compilers copy it in pieces of a few bytes

@@ -39,6 +39,7 @@ class Curve<F, ScalarT, DimensionT, viewed> {
   [[nodiscard]] Scalar operator()(int axis, int i) const {
     return first_[static_cast<std::ptrdiff_t>(i) * DimensionT + axis];
   }
+  [[nodiscard]] Scalar from_end(int axis, int k) const { return (*this)(axis, degree_ - k); }
 
  private:
   const Scalar* first_;

@@ -36,6 +36,12 @@ class Curve<F, V, DimensionT, DegreeT> {
   [[nodiscard, gnu::always_inline]] V operator()(int axis, int i) const {
     return V::read(first_ + static_cast<std::ptrdiff_t>(i * DimensionT + axis) * V::axes);
   }
+  /// Coefficient degree() - k. Its address is that of the last one less a constant where k is one: compilers would
+  /// compute the addresses of degree() - 0, degree() - 1, ... all in advance, for every call.
+  [[nodiscard, gnu::always_inline]] V from_end(int axis, int k) const {
+    const Number* const last = first_ + static_cast<std::ptrdiff_t>(degree()) * DimensionT * V::axes;
+    return V::read(last + static_cast<std::ptrdiff_t>(axis - k * DimensionT) * V::axes);
+  }
   [[nodiscard, gnu::always_inline]] const Number* data() const { return first_; }
 
  private:

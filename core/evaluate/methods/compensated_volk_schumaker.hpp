@@ -88,8 +88,6 @@ struct CompensatedVolkSchumaker : SameForEveryAxis {
       .citation = "[Delgado and Pena 2016]; [Schumaker and Volk 1986]"};
   static constexpr LaneRegisters lanes{.per_axis = 2, .shared = 6};
 
-  static constexpr int largest_fixed_degree = 12;  ///< beyond, its steps take longer than the loop around them
-
   /// Columns i hold C(n,i) b_i, rounded, and the error of this rounding.
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {

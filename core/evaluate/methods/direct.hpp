@@ -40,8 +40,6 @@ struct Direct : SameForEveryAxis {
       .citation = "[Report 001], section 1.4"};
   static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 2};
 
-  static constexpr int largest_fixed_degree = 12;  ///< beyond, the loops over its powers cost little
-
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> curve;

@@ -81,7 +81,8 @@ struct HornerBernstein : SameForEveryAxis {
     Scalar t_power = Scalar(1);
     count_down<Scalar, Degree>(n - 1, [&](int left) {
       t_power *= t;
-      for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * s + prepared.scaled(axis, n - left) * t_power;
+      for (int axis = 0; axis < Dimension; ++axis)
+        p[axis] = p[axis] * s + prepared.scaled.from_end(axis, left) * t_power;
     });
     return p;
   }

@@ -64,7 +64,7 @@ struct HornerBernsteinFma : SameForEveryAxis {
     count_down<Scalar, Degree>(n - 1, [&](int left) {
       t_power *= t;
       for (int axis = 0; axis < Dimension; ++axis)
-        p[axis] = fused<Scalar>(p[axis], s, scaled(axis, n - left) * t_power);
+        p[axis] = fused<Scalar>(p[axis], s, scaled.from_end(axis, left) * t_power);
     });
     return p;
   }

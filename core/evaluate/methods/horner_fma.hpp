@@ -26,8 +26,6 @@ struct HornerFma : TakenAsGiven<Form::power> {
                                    .citation = "[Higham 2002], section 5.1, with fused steps"};
   static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 1};
 
-  static constexpr int largest_fixed_degree = 12;  ///< beyond, to enter its steps takes no longer than they do
-
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {
     const int n = curve.degree();

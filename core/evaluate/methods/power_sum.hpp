@@ -34,7 +34,7 @@ struct PowerSum : TakenAsGiven<Form::power> {
     Scalar t_power = Scalar(1);
     count_down<Scalar, Degree>(n - 1, [&](int left) {
       t_power *= t;
-      for (int axis = 0; axis < Dimension; ++axis) sum[axis] += curve(axis, n - left) * t_power;
+      for (int axis = 0; axis < Dimension; ++axis) sum[axis] += curve.from_end(axis, left) * t_power;
     });
     return sum;
   }

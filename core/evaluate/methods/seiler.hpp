@@ -51,6 +51,8 @@ struct Seiler : SameForEveryAxis {
                                          Guarantee{Property::finite, 1},        Guarantee{Property::scaling_by_two},
                                          Guarantee{Property::axes_independent}, Guarantee{Property::total}};
 
+  static constexpr int largest_fixed_degree = 16;  ///< beyond, to enter its steps costs little
+
   /// Column j holds s_j.
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
@@ -124,7 +126,7 @@ struct Seiler : SameForEveryAxis {
     }
     count_down<Scalar, Degree>(middle - 1, [&](int j) {
       for (int axis = 0; axis < Dimension; ++axis) {
-        const Scalar line = rest * s(axis, j) + t * s(axis, n - j);
+        const Scalar line = rest * s(axis, j) + t * s.from_end(axis, j);
         c[axis] = line + z * (c[axis] - line);
       }
     });

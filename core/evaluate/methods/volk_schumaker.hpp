@@ -41,7 +41,7 @@ struct VolkSchumaker : SameForEveryAxis {
       .citation = "[Schumaker and Volk 1986]"};
   static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 2};
 
-  static constexpr int largest_fixed_degree = 12;  ///< beyond, to count from the nearer end costs little
+  static constexpr int largest_fixed_degree = 16;  ///< beyond, to count from the nearer end costs little
 
   template <class Scalar, int Dimension, int Degree>
   static auto prepare(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {

@@ -88,7 +88,7 @@ struct WangBall {
     count_down<Scalar, Degree>((n + 1) / 2 - 1 - n % 2, [&](int i) {
       for (int axis = 0; axis < Dimension; ++axis) {
         const Scalar a = s * v(axis, i) + t * c[axis];
-        const Scalar b = s * c[axis] + t * v(axis, n - i);
+        const Scalar b = s * c[axis] + t * v.from_end(axis, i);
         c[axis] = s * a + t * b;
       }
     });

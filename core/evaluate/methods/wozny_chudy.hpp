@@ -22,8 +22,6 @@ struct WoznyChudy : TakenAsGiven<Form::bernstein> {
                                    .citation = "[Wozny and Chudy 2020], Algorithm 1.1"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 3};
 
-  static constexpr int largest_fixed_degree = 12;  ///< beyond, its steps take longer than the loop around them
-
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve, Scalar t) {
     const int n = curve.degree();
@@ -40,7 +38,7 @@ struct WoznyChudy : TakenAsGiven<Form::bernstein> {
       const Scalar numerator = h * t_share * static_cast<Scalar>(left + 1);
       h = numerator / (static_cast<Scalar>(k) * rest_share + numerator);
       const Scalar rest = Scalar(1) - h;
-      for (int axis = 0; axis < Dimension; ++axis) q[axis] = rest * q[axis] + h * curve(axis, k);
+      for (int axis = 0; axis < Dimension; ++axis) q[axis] = rest * q[axis] + h * curve.from_end(axis, left);
     });
     return q;
   }

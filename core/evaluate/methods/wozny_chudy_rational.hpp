@@ -25,8 +25,6 @@ struct WoznyChudyRational {
                                    .citation = "[Wozny and Chudy 2020], rational curves"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 3, .one_curve_only = true};
 
-  static constexpr int largest_fixed_degree = 12;  ///< beyond, its steps take longer than the loop around them
-
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> points;
@@ -61,7 +59,7 @@ struct WoznyChudyRational {
       const Scalar numerator = h * (t_share * prepared.ratios[k]);
       h = numerator / (complement + numerator);
       const Scalar rest = Scalar(1) - h;
-      for (int axis = 0; axis < Dimension; ++axis) q[axis] = rest * q[axis] + h * prepared.points(axis, k);
+      for (int axis = 0; axis < Dimension; ++axis) q[axis] = rest * q[axis] + h * prepared.points.from_end(axis, left);
     });
     return q;
   }

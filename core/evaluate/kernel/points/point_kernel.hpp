@@ -29,11 +29,11 @@ concept SideBySide = detail::is_viewed<PreparedOf<E, S, Dimension>> && !requires
 #define BEZIERBENCH_LARGEST_FIXED_DEGREE max_degree
 #endif
 
-/// The largest degree with a kernel of its own: what the method says (-1: none), else 12 for a triangle and 8 for other
-/// methods. Beyond, the code for every degree takes at most an eighth longer.
+/// The largest degree with a kernel of its own: what the method says (-1: none), else 12. Beyond, the code for every
+/// degree takes little longer.
 template <class E>
 constexpr int largest_fixed_degree() {
-  int largest = E::info.cost_exponent > 1 ? 12 : 8;
+  int largest = 12;
   if constexpr (requires { E::largest_fixed_degree; }) largest = E::largest_fixed_degree;
   return std::min(largest, BEZIERBENCH_LARGEST_FIXED_DEGREE);
 }
@@ -43,10 +43,12 @@ template <class E, class S, int Dimension, int Degree>
 [[gnu::flatten]] void evaluate_side_by_side(const void* prepared, std::span<const S> t, S* points) {
   using State = PreparedOf<E, S, Dimension>;
   using A = Axes<S, detail::dimension_of<State>>;
-  const auto view = viewed_as<State, A, Degree>(parts_of(*static_cast<const State*>(prepared)));
-  with_evaluation<E>(view, [t, points](const auto& point_at) {
+  auto view = viewed_as<State, A, Degree>(parts_of(*static_cast<const State*>(prepared)));
+  with_evaluation<E>(view, [&view, t, points](const auto& point_at) {
     S* next = points;
     for (const S at : t) {
+      // As if the view changed: else GCC computes the addresses of all coefficients before the loop, for every call.
+      if constexpr (Degree == dynamic) asm volatile("" : "+m"(view));
       point_at(A(at))[0].template store<Dimension>(next);
       next += Dimension;
     }
