@@ -61,13 +61,10 @@ class Chains {
     return {run,
             S(operand_of(Kind)),
             {ends_of<S>(Kind, Count * Lanes), ends_of<S>(Beside, BesideCount * Lanes)},
-            (Count + BesideCount) * steps_of_chains,
-            static_cast<double>((flops(Kind) * Count + flops(Beside) * BesideCount) * steps_of_chains * Lanes)};
+            (Count + BesideCount) * steps_of_chains};
   }
 
  private:
-  static constexpr std::size_t flops(Operation kind) { return kind == Operation::fused ? 2 : 1; }
-
   template <int... X, int... Y>
   static HWY_INLINE void advance(S operand, S* values, std::integer_sequence<int, X...> /*chains*/,
                                  std::integer_sequence<int, Y...> /*chains beside*/) {

@@ -26,7 +26,6 @@ struct OperationWork {
   Scalar operand;
   std::array<ChainEnds<Scalar>, 2> chains;  ///< of one kind, then of another beside it, if there is one
   double operations;                        ///< of a run, on whole vectors
-  double flops;                             ///< of a run; a fused multiply-add is two
 };
 
 /// The work of each kind in vectors of one width.
@@ -36,10 +35,6 @@ struct OperationWorks {
   std::array<OperationWork<Scalar>, operation_kinds> side_by_side;  ///< enough chains to hide their latency
   std::array<OperationWork<Scalar>, operation_kinds> one_by_one;    ///< a single chain
   OperationWork<Scalar> multiply_add_and_add;                       ///< additions beside fused multiply-adds
-
-  [[nodiscard]] const OperationWork<Scalar>& multiply_add() const {
-    return side_by_side[static_cast<std::size_t>(Operation::fused)];
-  }
 };
 
 /// Narrowest first; the last are the target's full vectors.

@@ -5,7 +5,6 @@
 
 #include <concepts>
 #include <cstddef>
-#include <tuple>
 
 #include "core/vector/same_for_every_axis.hpp"
 

@@ -12,8 +12,14 @@ namespace bezierbench::bundle {
 nlohmann::ordered_json parse_json_object(std::string_view text, std::string_view file_name) {
   using Json = nlohmann::ordered_json;
   constexpr std::string_view advice = "restore the file or run again with another --out";
+  // JSON is destroyed and written by recursion, so that its depth must have a limit.
+  constexpr int deepest = 100;
+  const auto not_too_deep = [&](int depth, Json::parse_event_t, const Json&) {
+    if (depth <= deepest) return true;
+    throw Failure(Exit::input_output, fmt::format("{}: nested more than {} deep; {}", file_name, deepest, advice));
+  };
   try {
-    Json object = Json::parse(text);
+    Json object = Json::parse(text, not_too_deep);
     if (!object.is_object())
       throw Failure(Exit::input_output, fmt::format("{}: not a JSON object; {}", file_name, advice));
     return object;

@@ -26,9 +26,13 @@ template <Evaluator Method, class Scalar>
 inline constexpr std::array<const Kernel<Scalar>*, 3> kernels_in{
     &kernel_in<Method, Scalar, 1>, &kernel_in<Method, Scalar, 2>, &kernel_in<Method, Scalar, 3>};
 
-/// Whether `prepare` and `evaluate` take float as well.
+/// Whether `prepare` and `evaluate` take float as well. A method that takes it by its signatures only says so by a member
+/// `double_only`.
 template <class Method>
-concept AnswersInFloat = requires(const Curve<Method::info.form, float, 2>& curve, float t) {
+concept AnswersInFloat = !requires {
+  Method::double_only;
+}
+&&requires(const Curve<Method::info.form, float, 2>& curve, float t) {
   { Method::evaluate(Method::prepare(curve), t) } -> std::same_as<Point<float, 2>>;
 };
 

@@ -111,7 +111,7 @@ const bezierbench_method& load(const std::string& file) {
     refuse("prepare or evaluate of bezierbench_plugin_float() is missing");
   loaded_solve = reinterpret_cast<decltype(loaded_solve)>(dlsym(object, "bezierbench_plugin_solve"));
   if (method->id == nullptr || (loaded<double> == nullptr && loaded<float> == nullptr && loaded_solve == nullptr))
-    refuse("its id, prepare or evaluate is missing");
+    refuse("its id is missing, or prepare and evaluate, bezierbench_plugin_float() and bezierbench_plugin_solve() are");
   return *method;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 #include <system_error>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -169,7 +170,8 @@ class Program final : public Method {
     if (ended.end != End::exited || ended.code != 0) return failed(ended);
     std::string_view text = ended.output;
     const auto first = next_line(text);
-    suite::ExternalMethod again = record_;
+    suite::ExternalMethod again;
+    std::tie(again.kind, again.source, again.sha256) = std::tie(record_.kind, record_.source, record_.sha256);
     if (!first || !read_first_line(*first, again).empty() || again != record_)
       return {Status::malformed, {}, "the first line of its answers differs from the one at the start of the run"};
     return read_answers(text, batch);

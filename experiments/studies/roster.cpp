@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/studies/roster.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>

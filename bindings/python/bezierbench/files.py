@@ -46,8 +46,9 @@ def content(file: Path) -> bytes:
         return file.read_bytes()
     except FileNotFoundError:
         raise NoFile(f"{file}: missing; give the directory that `bezierbench run` wrote") from None
-    except OSError as error:
-        raise BundleError(f"{file}: cannot be read: {error.strerror}; check that it is a readable file") from None
+    except (OSError, ValueError) as error:  # ValueError for a name with a null character
+        what = error.strerror if isinstance(error, OSError) else error
+        raise BundleError(f"{file}: cannot be read: {what}; check that it is a readable file") from None
 
 
 def text(file: Path, data: bytes) -> str:

@@ -121,6 +121,8 @@ def _evaluate_curves(points: ArrayLike, t: ArrayLike, method: str | None, form: 
     curves = strided_array_of(points, dtype)
     at = strided_array_of(t, dtype)
     m, coefficients, dimension = curves.shape
+    if coefficients > 1024 or dimension > 3:
+        raise ValueError(f"points have the shape {curves.shape}; give at most 1024 points a curve, in at most 3 dimensions")
     if at.shape != (m,) and (at.ndim != 2 or at.shape[0] not in (1, m)):
         raise ValueError(f"t has the shape {at.shape} for {m} curves; give ({m},) for one each, (1, k) or ({m}, k) for k each")
     of_each = at[:, np.newaxis] if at.ndim == 1 else np.broadcast_to(at, (m, at.shape[1]))
@@ -167,7 +169,7 @@ def _float_curve(points: ArrayLike, t: ArrayLike, form: str, weights: ArrayLike 
 
 
 def exact(points: ArrayLike, t: ArrayLike, *, form: str = "bernstein", weights: ArrayLike | None = None) -> Array:
-    """The true points at `t`, each coordinate rounded once; shapes as of `evaluate`."""
+    """The true points at `t`, each coordinate rounded once; shapes as of `evaluate` for one curve."""
     if is_float(points):
         rows, at = _float_curve(points, t, form, weights)
         return _answered(at, _result(at, rows.shape[1], np.float32), lambda some, out: library.bb_exact_float(
@@ -215,7 +217,7 @@ def _integer(text: str) -> int:
 
 def error(points: ArrayLike, t: ArrayLike, values: ArrayLike, *, form: str = "bernstein",
           weights: ArrayLike | None = None) -> Errors:
-    """The errors of `values`, from wherever they are: one point for each t, in the shape that `evaluate` returns.
+    """The errors of `values`, from wherever they are: one point for each t, in the shape that `evaluate` returns for one curve.
 
     For points of float32 the units are those of float, u = 2^-24, and `exact` has the nearest float.
     """
@@ -263,7 +265,7 @@ def bound(points: ArrayLike, t: ArrayLike, method: str | None = None, *, form: s
 
 
 def derivative(points: ArrayLike, t: ArrayLike, order: int = 1, method: str | None = None, *, form: str = "bernstein") -> Array:
-    """The derivative of an order >= 0 in t at `t`, in the shape that `evaluate` returns; `form` is "bernstein" or "power"."""
+    """The derivative of an order >= 0 in t at `t`, in the shape that `evaluate` returns for one curve; `form` is "bernstein" or "power"."""
     _require_double(points, "derivatives are computed in double")
     curve = GivenCurve(points, form)
     name = _name(method, curve.form, _DERIVATIVES)

@@ -62,8 +62,9 @@ struct Direct : SameForEveryAxis {
   static Point<Scalar, Dimension> evaluate(const Prepared<Scalar, Dimension, Degree>& prepared, Scalar t) {
     const int n = prepared.curve.degree();
     const Scalar s = Scalar(1) - t;
-    auto t_power = per_coefficient<Scalar, Degree>(n);
-    auto s_power = per_coefficient<Scalar, Degree>(n);
+    constexpr int room = (Degree == dynamic ? max_factorial : Degree) + 1;
+    Scalar t_power[room];
+    Scalar s_power[room];
     t_power[0] = s_power[0] = Scalar(1);
     for (int i = 1; i <= n; ++i) {
       t_power[i] = t_power[i - 1] * t;

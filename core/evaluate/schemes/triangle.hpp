@@ -22,7 +22,7 @@ namespace bezierbench {
 struct TriangleOrder {
   int largest_fixed = 20;  ///< the largest degree that is written out where it is known at compile time
   int width = 1;           ///< values that a sweep takes at once: their steps on a level do not wait for each other
-  bool ends_in_registers = false;  ///< whether the last levels of a sweep, 9 to 12, are written out
+  bool ends_in_registers = false;  ///< whether the last levels after sweeps, 9 to 16, are written out
 };
 template <class Scalar>
 inline constexpr TriangleOrder triangle_order{};

@@ -129,7 +129,8 @@ bundle::CsvDocument timed(const TestedProgram& program, const Programs& programs
   const auto out = programs.scratch / "times";
   fs::remove_all(out);
   run_suite(program, programs.suite, out, {});
-  return bundle::BundleDirectory::open(out).table(compare::timing_file).value();
+  const auto directory = bundle::BundleDirectory::open(out);
+  return bundle::parse_csv(directory.read_listed(compare::timing_file), directory.place(compare::timing_file));
 }
 
 }  // namespace

@@ -108,8 +108,8 @@ void add_cycles(std::vector<std::string>& files) {
       if (!folder_on_path(program))
         throw Failure(Exit::environment, fmt::format("{} is not installed; install llvm-19", program));
     race::add_cycles(files, own_program(), run_llvm);
-  } catch (const Failure& failure) {
-    if (!run::interrupted()) say(fmt::format("no cycles of other processors: {}", failure.what()));
+  } catch (const std::exception& error) {  // of numbers, too, where LLVM's output is not what is expected
+    if (!run::interrupted()) say(fmt::format("no cycles of other processors: {}", error.what()));
   }
 }
 

@@ -93,12 +93,14 @@ TrialErrors<typename P::Errors> ExternalTrialJob<P>::work(std::size_t block) con
   tally.status = static_cast<std::uint8_t>(answer.status);
   if (answer.numbers.empty()) return tally;
   std::span numbers(answer.numbers);
-  for (const auto& [number, drawn] : trials)
-    for (std::size_t k = 0; k < this->tolerances_.size(); ++k) {
-      problem.judge(*part.methods.front(), drawn, this->tolerances_[k], answer_of(numbers.first(batch.answer_size())),
-                    number, tally.rows[k]);
-      numbers = numbers.subspan(batch.answer_size());
-    }
+  for (const auto& trial : trials)
+    this->with_truth(part, trial.number, [&] {
+      for (std::size_t k = 0; k < this->tolerances_.size(); ++k) {
+        problem.judge(*part.methods.front(), trial.drawn, this->tolerances_[k],
+                      answer_of(numbers.first(batch.answer_size())), trial.number, tally.rows[k]);
+        numbers = numbers.subspan(batch.answer_size());
+      }
+    });
   return tally;
 }
 

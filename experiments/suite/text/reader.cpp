@@ -181,6 +181,24 @@ Suite only_one(std::vector<Suite> suites, std::string_view file_name) {
   return std::move(suites.front());
 }
 
+/// Refuses keys with many dots. Every dot in a key nests a table deeper, and beyond some ten thousand the parser's
+/// recursion overflows the stack; no suite has a key with dots. Adjacent dots are not part of a key, but may decorate a
+/// comment.
+void refuse_deep_keys(std::string_view text, std::string_view file_name) {
+  constexpr int most_dots = 100;
+  int dots = 0;
+  char before = '\n';
+  toml::source_position at{1, 1};
+  for (const char c : text) {
+    if (c == '.' ? before == '.' : std::string_view("=,[]{}#\n").find(c) != std::string_view::npos) dots = 0;
+    if (c == '.' && before != '.' && ++dots > most_dots)
+      fail(file_name, at, fmt::format("more than {} dots in one key; write a shorter one", most_dots));
+    ++at.column;
+    if (c == '\n') at = {at.line + 1, 1};
+    before = c;
+  }
+}
+
 std::string contents(const std::filesystem::path& file) {
   const auto refuse = [&](int error) {
     throw Failure(Exit::usage, fmt::format("{}: cannot be read ({}); name a suite file that can, or see `bezierbench "
@@ -201,6 +219,7 @@ std::string contents(const std::filesystem::path& file) {
 }  // namespace
 
 std::vector<Suite> parse_suites(std::string_view text, std::string_view file_name, const Vocabulary& known) {
+  refuse_deep_keys(text, file_name);
   try {
     const auto document = toml::parse(text);
     return Reader(file_name, known, parse_external(text, file_name)).document(document);

@@ -161,9 +161,9 @@ typedef struct bb_batch {
 } bb_batch;
 
 /* The points of all curves, with the bits of bb_curve_evaluate; several curves go side by side. `weights` has degree + 1
- * values of each curve, curve after curve, for BB_RATIONAL, and is otherwise null. No memory is allocated, except by
- * conversions in big integers. With one curve and out->point = 1 it writes one array for each axis, as the kernels do, which
- * for cubics saves a quarter of the time. */
+ * values of each curve, curve after curve, for BB_RATIONAL, and is otherwise null. After the first call of a process no
+ * memory is allocated, except by conversions in big integers. With one curve and out->point = 1 it writes one array for each
+ * axis, as the kernels do, which for cubics saves a quarter of the time. */
 BB_API int bb_evaluate_curves(const char* method, const bb_batch* batch, const double* points, const double* weights,
                               const double* t, double* out);
 BB_API int bb_evaluate_curves_float(const char* method, const bb_batch* batch, const float* points,
