@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""installed_test.py BUILD: the components c and python, installed under a prefix, work from there and leave nothing else."""
+"""installed_test.py BUILD LIBRARY: the components c and python, installed under a prefix, work from there and leave nothing
+else; so does the wheel with LIBRARY inside, in a fresh virtual environment."""
 import os
 import subprocess
 import sys
@@ -8,7 +9,9 @@ import unittest
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-BUILD = sys.argv.pop()
+BUILD, LIBRARY = sys.argv[-2:]
+del sys.argv[-2:]
+ENVIRONMENT = {name: value for name, value in os.environ.items() if name not in ("BEZIERBENCH_LIBRARY", "PYTHONPATH")}
 FILES = ["include/bezierbench/bezierbench.h", "lib/libbezierbench.so", "lib/libbezierbench.so.1",
          "lib/cmake/bezierbench/bezierbench-c-targets.cmake", "lib/pkgconfig/bezierbench-c.pc",
          "lib/python3/dist-packages/bezierbench/__init__.py", "lib/python3/dist-packages/bezierbench/py.typed"]
@@ -17,6 +20,13 @@ project(outside C)
 include("{prefix}/lib/cmake/bezierbench/bezierbench-c-targets.cmake")
 add_executable(program {source})
 target_link_libraries(program PRIVATE bezierbench::c)
+"""
+# Prints the versions and the files that the process has loaded.
+INSIDE = """
+import importlib.metadata, pathlib, re
+import bezierbench
+print(bezierbench.__version__, importlib.metadata.version("bezierbench"))
+print(*re.findall("/.*", pathlib.Path("/proc/self/maps").read_text()), sep="\\n")
 """
 
 
@@ -66,11 +76,24 @@ class Installed(unittest.TestCase):
 
     def test_python(self):
         package = self.prefix / "lib/python3/dist-packages"
-        environment = {name: value for name, value in os.environ.items() if name not in ("BEZIERBENCH_LIBRARY", "PYTHONPATH")}
-        run(sys.executable, "-sB", HERE / "bezierbench_test.py", package, env=environment)
+        run(sys.executable, "-sB", HERE / "bezierbench_test.py", package, env=ENVIRONMENT)
         code = "import bezierbench._library as it; print(it.library._name)"
-        found = run(sys.executable, "-sBc", code, env=dict(environment, PYTHONPATH=str(package)))
+        found = run(sys.executable, "-sBc", code, env=dict(ENVIRONMENT, PYTHONPATH=str(package)))
         self.assertEqual(Path(found.strip()).parent, self.prefix / "lib")
+
+    def test_wheel(self):
+        folder = Path(self.scratch.name)
+        wheel = run(sys.executable, "-sB", HERE / "wheel_of_package.py", LIBRARY, "7.8.9", folder / "wheel").strip()
+        run(sys.executable, "-m", "venv", "--system-site-packages", folder / "venv")  # NumPy is the system's
+        python = folder / "venv/bin/python"
+        run(python, "-m", "pip", "install", "--no-index", "--no-deps", wheel, env=ENVIRONMENT)
+        said = run(python, "-Ic", INSIDE, env=ENVIRONMENT, cwd=folder).split()
+        package = next(folder.glob("venv/lib*/python3*/site-packages/bezierbench")).resolve()
+        self.assertEqual(said[:2], ["1.0.0", "7.8.9"])  # what the library says, and what pip was told
+        libraries = {str(path) for path in package.glob("*.so*")}
+        self.assertEqual({path for path in said[2:] if Path(path).parent == package}, libraries)
+        self.assertIn(str(package / "libgmp.so.10"), libraries)
+        self.assertTrue((package / "py.typed").exists())
 
 
 if __name__ == "__main__":

@@ -32,6 +32,7 @@ from .problems import (
     project_error,
 )
 
+__version__ = version()
 __all__ = ["Bounds", "Bundle", "BundleError", "Error", "Errors", "ExactFoot", "FileCurve", "Fit", "Foot", "Halves", "Length", "Method",
            "Parameter", "Prepared", "arc_length", "arc_length_error", "at_length", "bound", "curves", "derivative", "error", "evaluate", "exact",
            "exact_arc_length", "exact_fractions", "exact_project", "fit", "grid", "interpolate", "methods", "numbers", "project",

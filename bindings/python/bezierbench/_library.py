@@ -111,13 +111,13 @@ _SIGNATURES: dict[str, tuple[type | None, list[type]]] = {
 
 
 def _candidates() -> list[str]:
-    """Where the library may be, the likeliest first: named by the environment, installed beside this package, built in
-    this source tree, or known to the system."""
+    """Where the library may be, the likeliest first: named by the environment, inside of this package (a wheel),
+    installed beside it, built in this source tree, or known to the system."""
     named = os.environ.get("BEZIERBENCH_LIBRARY")
     if named:
         return [named]
     package = Path(__file__).resolve().parent
-    places = [package.parents[2]]  # lib/python3/dist-packages/bezierbench
+    places = [package, package.parents[2]]  # lib/python3/dist-packages/bezierbench
     if (package.parents[2] / "CMakePresets.json").exists():  # bindings/python/bezierbench
         builds = package.parents[2] / "build"
         places = [builds / "release/lib", *sorted(builds.glob("*/lib"))]
