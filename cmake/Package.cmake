@@ -9,14 +9,23 @@ endif()
 set(BEZIERBENCH_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/bezierbench)
 set(BEZIERBENCH_PACKAGE_FILES ${CMAKE_CURRENT_LIST_DIR}/package)
 
-# bezierbench_install_headers(COMPONENT header...): the headers, named from the root of the repository, with their
-# includes as they are found below include/. headers.cmake.in says how.
-function(bezierbench_install_headers component)
+# bezierbench_install_headers(COMPONENT target header...): the headers of the target, named from the root of the repository,
+# with their includes as they are found below include/. headers.cmake.in says how. Where a project contains this one, it has
+# bezierbench::COMPONENT without an installation: the headers are written when it is configured.
+function(bezierbench_install_headers component target)
   set(staged ${PROJECT_BINARY_DIR}/package/${component})
   set(BEZIERBENCH_HEADERS ${ARGN})
   configure_file(${BEZIERBENCH_PACKAGE_FILES}/headers.cmake.in ${staged}.cmake @ONLY)
+  target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:include>)
+  if(NOT PROJECT_IS_TOP_LEVEL)
+    include(${staged}.cmake)
+    list(TRANSFORM ARGN PREPEND ${PROJECT_SOURCE_DIR}/ OUTPUT_VARIABLE sources)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${sources})
+    target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${staged}>)
+    return()
+  endif()
   install(SCRIPT ${staged}.cmake COMPONENT ${component})
-  install(DIRECTORY ${staged}/ DESTINATION include/bezierbench COMPONENT ${component})
+  install(DIRECTORY ${staged}/ DESTINATION include COMPONENT ${component})
 endfunction()
 
 # The headers in these folders that users may include.
@@ -30,6 +39,10 @@ endfunction()
 
 # bezierbench_install_component(COMPONENT target...): the libraries, the export set and the pkg-config file.
 function(bezierbench_install_component component)
+  foreach(target ${ARGN})
+    get_target_property(name ${target} EXPORT_NAME)
+    add_library(bezierbench::${name} ALIAS ${target})
+  endforeach()
   install(TARGETS ${ARGN} EXPORT bezierbench-${component}
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component}
           LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component} NAMELINK_COMPONENT ${component})

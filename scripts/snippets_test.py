@@ -6,7 +6,8 @@ The blocks of a page are taken in order, in one scratch folder, which has the re
   cpp, c    a file of its own, compiled with the flags of the package's pkg-config files and warnings as errors; a snippet
             with a function main is linked and run as well. A first line `// NAME.cpp` gives the file its name.
   python    run with the module of the package on its path
-  cmake     a CMakeLists.txt; the project of it and the files named so far is configured and built
+  cmake     a CMakeLists.txt; the project of it and the files named so far is configured and built, with this source tree
+            where it fetches bezierbench
   text      directly below one of these: what running it prints, to the letter; `...` stands for anything
 A snippet that fails, prints something else or prints what no block shows is a failure. Other blocks are left alone.
 """
@@ -19,7 +20,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-RESULTS = Path(__file__).resolve().parent.parent / "results"
+ROOT = Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"^```(\w+)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 NAMED = re.compile(r"\s*//\s*(\w+\.(?:cpp|c|h|hpp))\s*$")
 WARNINGS = ["-Wall", "-Wextra", "-Wconversion", "-Werror"]
@@ -85,7 +86,7 @@ class Page:
     def cmake(self, body):
         (self.folder / "CMakeLists.txt").write_text(body, encoding="utf-8")
         shutil.rmtree(self.folder / "build", ignore_errors=True)
-        self.run("cmake", "-G", "Ninja", "-S", ".", "-B", "build")
+        self.run("cmake", "-G", "Ninja", "-S", ".", "-B", "build", f"-DFETCHCONTENT_SOURCE_DIR_BEZIERBENCH={ROOT}")
         self.run("cmake", "--build", "build")
         return ""
 
@@ -117,7 +118,7 @@ def check_page(page, prefix):
     snippets = blocks_of(Path(page).read_text(encoding="utf-8"))
     complaints = []
     with tempfile.TemporaryDirectory(prefix="bezierbench-snippets-") as folder:
-        (Path(folder) / "results").symlink_to(RESULTS)
+        (Path(folder) / "results").symlink_to(ROOT / "results")
         place = Page(prefix, folder)
         for language, body, line, expected in snippets:
             try:

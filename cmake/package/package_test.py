@@ -153,6 +153,20 @@ class Package(unittest.TestCase):
             by_core = header in HARNESS and '#include "bezierbench/core/' in text
             self.assertTrue(by_core or "floating_point.hpp" in header or "floating_point.hpp" in text, header)
 
+    def test_a_project_that_contains_this_one_builds_what_it_links(self):
+        (self.folder / "main.cpp").write_text(POINT, encoding="utf-8")
+        done = self.project("include(FetchContent)", f"FetchContent_Declare(bezierbench SOURCE_DIR {ROOT})", "enable_testing()",
+                            "FetchContent_MakeAvailable(bezierbench)", "add_executable(main main.cpp)",
+                            "target_link_libraries(main PRIVATE bezierbench::methods)")
+        self.assertEqual(done.returncode, 0, done.stdout)
+        done = run("cmake", "--build", self.folder / "build")
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn("[2/2] Linking CXX executable main", done.stdout)
+        self.assertEqual(run(self.folder / "build/main").returncode, 0)
+        self.assertIn("Total Tests: 0", run("ctest", "--test-dir", self.folder / "build", "-N").stdout)
+        run("cmake", "--install", self.folder / "build", "--prefix", self.folder / "prefix")
+        self.assertFalse((self.folder / "prefix").exists())
+
     def test_find_package_says_what_is_missing(self):
         self.assertEqual(self.project("find_package(bezierbench 1 CONFIG REQUIRED)",
                                       "get_target_property(x bezierbench::methods TYPE)").returncode, 0)
