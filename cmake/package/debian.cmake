@@ -26,6 +26,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME bezierbench)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "python3-jinja2, python3-matplotlib") # of `bezierbench report`
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "The program: it judges methods against exact values, times them against each other and reports.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libbezierbench-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

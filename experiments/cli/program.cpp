@@ -84,6 +84,7 @@ int run_program(int argc, char** argv, std::span<const external::OwnMethod> own)
   add_list(root, exit, own);
   add_verify(root, exit);
   add_replay(root, exit, own);
+  add_report(root);
   add_choose(root, exit);
   add_check(root, exit, own);
   add_trials(root, exit);

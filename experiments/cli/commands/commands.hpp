@@ -17,6 +17,7 @@ void add_compare(Command program, Exit& exit);
 void add_list(Command program, Exit& exit, std::span<const external::OwnMethod> own);
 void add_verify(Command program, Exit& exit);
 void add_replay(Command program, Exit& exit, std::span<const external::OwnMethod> own);
+void add_report(Command program);
 void add_choose(Command program, Exit& exit);
 void add_check(Command program, Exit& exit, std::span<const external::OwnMethod> own);
 void add_trials(Command program, Exit& exit);

@@ -125,8 +125,7 @@ void add_compare(Command program, Exit& exit) {
   command.option("--format", options->format, "csv has every row; markdown and junit have the gates")
       .one_of({"text", "csv", std::string(markdown_format), std::string(junit_format)});
   options->gates.add(command);
-  command.option("--out", options->out, "folder for the tables that scripts/report --comparison renders")
-      .takes(folder_value);
+  command.option("--out", options->out, "folder for the tables that report --comparison renders").takes(folder_value);
   command.option("--method", options->method, "only methods whose id matches this glob").takes("GLOB", all_methods());
   command.flag("--all", options->all, "every row, not only what changed");
   command.action([options, &exit] { exit = run_compare(*options); });

@@ -37,10 +37,7 @@ namespace {
 void tell_ending(const run::Outcome& outcome, const std::string& out, bool quiet) {
   if (quiet || outcome.ending != run::Ending::complete) return;
   run::note(fmt::format("{}: {}", out, run::ending_line(outcome)));
-  const auto report = script_of_source("report");
-  run::note(fmt::format("next: {} {}",
-                        report.empty() ? fmt::format("{} verify", this_program()) : shell_word(report.string()),
-                        shell_word(out)));
+  run::note(fmt::format("next: {} report {}", this_program(), shell_word(out)));
 }
 
 struct RunOptions {

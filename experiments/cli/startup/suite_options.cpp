@@ -98,11 +98,11 @@ fs::path suite_file(const std::string& word) {
   return suites_folder() / (word + extension);
 }
 
-fs::path script_of_source(const std::string& name) {
+fs::path report_script() {
   std::error_code error;
   const auto suites = fs::canonical(link_of_build("suites"), error);
-  const auto script = suites.parent_path().parent_path() / "scripts" / name;
-  return !error && fs::exists(script, error) ? fs::proximate(script, error) : fs::path();
+  const auto script = suites.parent_path().parent_path() / "scripts/report";
+  return !error && fs::exists(script, error) ? script : shipped_folder("scripts") / "report";
 }
 
 namespace {

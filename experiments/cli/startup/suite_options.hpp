@@ -36,9 +36,9 @@ std::optional<std::filesystem::path> folder_on_path(std::string_view program);
 /// with this id. Throws Failure(Exit::usage) where there is none.
 std::filesystem::path suite_file(const std::string& word);
 
-/// scripts/NAME of the source from which the program was built, if it is still in its build folder and the script is
-/// there. Empty for an installed program.
-std::filesystem::path script_of_source(const std::string& name);
+/// scripts/report of the source, for a program in its build folder, or of share/bezierbench, for an installed one. Throws
+/// Failure(Exit::environment) where neither is there.
+std::filesystem::path report_script();
 
 class SuiteOptions {
  public:

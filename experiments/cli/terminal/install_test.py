@@ -72,8 +72,23 @@ class Installed(Case):
         self.assertEqual(ran.returncode, FINE, ran.stderr)
         told, following = ran.stderr.decode().splitlines()
         self.assertIn("b: complete", told)
-        self.assertEqual(following, f"next: {self.program} verify b")
+        self.assertEqual(following, f"next: {self.program} report b")
         self.assertEqual(self.run_installed("verify", "b").returncode, FINE)
+        rendered = self.run_installed("report", "b", "--out", "pages")
+        self.assertEqual(rendered.returncode, FINE, rendered.stderr)
+        self.assertIn("<html", (self.folder / "pages/report.html").read_text(encoding="utf-8"))
+
+    def test_its_answers_are_those_beside_it(self):
+        answers = self.prefix / "share/bezierbench/answers"
+        self.assertEqual(self.run_installed("verify", answers).returncode, FINE)
+        said = self.run_installed("report", answers, "--summary")
+        self.assertEqual((said.returncode, said.stderr), (FINE, b""))
+        self.assertEqual(said.stdout, self.run_program("report", ROOT / "results/answers", "--summary").stdout)
+        self.write("c.csv", "x,y\n0,0\n1,2\n3,-1\n4,0.5\n")
+        chosen = self.run_installed("choose", "--curves", "c.csv")
+        self.assertEqual(chosen.returncode, FINE, chosen.stderr)
+        (answers / "timing.csv").unlink()  # it reads the times of these
+        self.assert_one_line(self.run_installed("choose", "--curves", "c.csv"), f"{answers}/timing.csv")
 
     def test_called_by_a_link(self):
         (self.folder / "link").symlink_to(self.program)
@@ -84,10 +99,10 @@ class Installed(Case):
         alone.parent.mkdir(parents=True)
         shutil.copy(self.program, alone)
         self.assertEqual(self.run_installed("list", "methods", program=alone).returncode, FINE)
-        for arguments in (["list", "suites"], ["run", "report", "--out", "b"]):
+        for arguments, missing in ((["list", "suites"], "suites"), (["run", "report", "--out", "b"], "suites"), (["report", "b"], "scripts")):
             result = self.run_installed(*arguments, program=alone)
             self.assertEqual(result.returncode, ENVIRONMENT)
-            self.assert_one_line(result, "share/bezierbench/suites")
+            self.assert_one_line(result, f"share/bezierbench/{missing}")
 
 
 if __name__ == "__main__":
