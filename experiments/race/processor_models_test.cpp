@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 #include <stdio.h>  // NOLINT(modernize-deprecated-headers): popen is not in <cstdio>
+#include <unistd.h>
 
 #include <array>
 #include <cstdlib>
@@ -90,7 +91,8 @@ std::string simulated(const char* llvm_name) {
                                            "vsqrtsd %xmm0, %xmm0, %xmm1",     "vmulpd (%rdi), %ymm1, %ymm2",
                                            "vfmadd231pd %ymm0, %ymm1, %ymm2", "vmovupd %ymm0, (%rdi)",
                                            "vpermpd $27, %ymm0, %ymm1",       "imulq %rax, %rbx"};
-  const std::string file = testing::TempDir() + "/bezierbench-probe.s";
+  // Tests run in processes of their own, side by side.
+  const std::string file = fmt::format("{}/bezierbench-probe-{}.s", testing::TempDir(), ::getpid());
   std::ofstream probe(file);
   for (std::size_t k = 0; k < instructions.size(); ++k)
     probe << "# LLVM-MCA-BEGIN " << k << '\n' << instructions.at(k) << "\n# LLVM-MCA-END\n";
