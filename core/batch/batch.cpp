@@ -42,7 +42,7 @@ Parts read_parts(const void* prepared) {
   return parts_of(*static_cast<const State*>(prepared));
 }
 
-/// An evaluator with batch kernels, and for each dimension the function that reads its prepared state.
+/// An evaluator with batch kernels. parts[d - 1] turns a prepared state of d axes into plain arrays.
 struct Known {
   const MethodInfo* evaluator;
   const MethodInfo* rational;  ///< the same evaluator for rational curves; null where there is none

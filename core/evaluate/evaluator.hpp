@@ -78,8 +78,8 @@ struct LaneRegisters {
   int shared;
   /// Degrees from 2 to this have kernels of their own, for one curve. Each degree takes a second to compile.
   int largest_fixed_degree = 0;
-  /// True without kernels for many curves: where lanes that are left undecided come back to the curve, which all lanes
-  /// share, or where curves have weights or are prepared in ways that groups are not.
+  /// True without kernels for many curves: where `evaluate` comes back to single lanes, where curves have weights, and
+  /// where `prepare` is not written for lanes.
   bool one_curve_only = false;
 };
 

@@ -10,8 +10,8 @@
 
 namespace bezierbench {
 
-/// A scalar that reads curves of plain numbers. `V::axes` is the number of axes of a point that it holds, `V::read`
-/// makes it of as many coordinates, and `V(value)` has the same value in all lanes.
+/// A scalar whose curves are views of plain numbers. One V holds `V::axes` coordinates of a point: `V::read(first)`
+/// reads that many numbers, and `V(value)` has one number in all its lanes.
 template <class V>
 concept ReadsCurves = requires(const typename V::Scalar* coordinates) {
   requires V::reads_curves;

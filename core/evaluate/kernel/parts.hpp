@@ -103,7 +103,7 @@ Parts parts_of(const State& state) {
       detail::members(state));
 }
 
-/// What scalar V sees of a prepared state of type `State`; the degree of the curve is `Degree`, or `dynamic`.
+/// Returns a view, for the scalar V, of a prepared state that is given by its arrays; `Degree` may be dynamic.
 template <class State, class V, int Degree>
 [[gnu::always_inline]] inline auto viewed_as(const Parts& parts) {
   using Members = decltype(detail::members(std::declval<const State&>()));

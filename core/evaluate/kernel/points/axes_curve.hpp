@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a method prepared for one curve, seen as coefficients that are points: a coefficient is read as one scalar, with
-// all its axes. Nothing is copied. The degree is known at compile time, or not.
+// What methods need of axes besides their arithmetic: a curve that is one of two, nodes, the division by a weight.
 #pragma once
 
 #include "core/evaluate/evaluator.hpp"
