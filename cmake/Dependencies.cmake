@@ -37,7 +37,6 @@ endif()
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 if(BEZIERBENCH_TESTS)
   find_package(GTest REQUIRED)
-  include(GoogleTest)
 endif()
 
 bezierbench_system_library(random123 Random123/philox.h)
