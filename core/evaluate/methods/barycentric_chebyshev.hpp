@@ -39,6 +39,8 @@ struct BarycentricChebyshev {
                                        "CHE"};
   static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 2, .one_curve_only = true};
 
+  static constexpr int largest_fixed_degree = 2;  ///< beyond, its division takes longer than the loop around it
+
   template <class Scalar, int Dimension, int Degree>
   static Barycentric<Scalar, Dimension, Degree> prepare(
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {

@@ -20,7 +20,7 @@ namespace bezierbench {
 
 namespace detail {
 
-/// A coefficient with all its axes, which share the powers of t.
+/// A coefficient with several axes, which share the powers of t.
 template <class Scalar, std::size_t Axes>
 struct OnAxes {
   std::array<Scalar, Axes> values;
@@ -123,13 +123,22 @@ struct Estrin : TakenAsGiven<Form::power> {
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {
     const int n = curve.degree();
     const auto q = [&curve](int i) {
-      detail::OnAxes<Scalar, Dimension> coefficient;
-      for (int axis = 0; axis < Dimension; ++axis) coefficient.values[static_cast<std::size_t>(axis)] = curve(axis, i);
-      return coefficient;
+      if constexpr (Dimension == 1) {
+        return curve(0, i);
+      } else {
+        detail::OnAxes<Scalar, Dimension> coefficient;
+        for (int axis = 0; axis < Dimension; ++axis)
+          coefficient.values[static_cast<std::size_t>(axis)] = curve(axis, i);
+        return coefficient;
+      }
     };
     const auto joined = detail::joined<0>(n + 1, q, std::array<Scalar, 1>{t}, q(n));
     Point<Scalar, Dimension> p;
-    for (int axis = 0; axis < Dimension; ++axis) p[axis] = joined.values[static_cast<std::size_t>(axis)];
+    for (int axis = 0; axis < Dimension; ++axis)
+      if constexpr (Dimension == 1)
+        p[axis] = joined;
+      else
+        p[axis] = joined.values[static_cast<std::size_t>(axis)];
     return p;
   }
 };

@@ -25,6 +25,8 @@ struct WoznyChudyRational {
                                    .citation = "[Wozny and Chudy 2020], rational curves"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 3, .one_curve_only = true};
 
+  static constexpr int largest_fixed_degree = 3;  ///< beyond, its steps take longer than the loop around them
+
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> points;

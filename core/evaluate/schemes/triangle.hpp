@@ -107,7 +107,7 @@ template <class Scalar, class In, class Step, class Out>
 template <class Scalar, class In, class Step>
 [[gnu::always_inline]] inline Scalar apex_by_sweeps(int n, const In& in, const Step& step) {
   if (n == 0) return in(0);
-  Scalar b[max_degree + 1];
+  Scalar b[largest_degree<Scalar> + 1];
   b[0] = in(0);
   const auto read = [&b](int i) { return b[i]; };
   const auto write = [&b](int i, const Scalar& value) { b[i] = value; };
@@ -145,7 +145,7 @@ class ManyNumbers {
   }
 
  private:
-  Scalar numbers_[(max_degree + 1) * Size];
+  Scalar numbers_[(largest_degree<Scalar> + 1) * Size];
 };
 
 /// The top of a triangle over values that are several numbers each, whose steps take far longer than to load and to
