@@ -10,8 +10,15 @@
 
 namespace bezierbench {
 
-/// Degree known only at run time (storage then has room for max_degree).
+/// Degree known only at run time (storage then has room for largest_degree).
 inline constexpr int dynamic = Eigen::Dynamic;
+
+/// The largest degree of curves over `Scalar`. One that stands for numbers of many curves may have a smaller one.
+template <class Scalar>
+inline constexpr int largest_degree = max_degree;
+template <class Scalar>
+requires requires { Scalar::largest_degree; }
+inline constexpr int largest_degree<Scalar> = Scalar::largest_degree;
 
 /// A point with `Dimension` coordinates.
 template <class Scalar, int Dimension>
@@ -20,7 +27,7 @@ using Point = Eigen::Matrix<Scalar, Dimension, 1>;
 /// Room for one value per coefficient, without heap allocation.
 template <class Scalar, int Degree>
 using PerCoefficient = Eigen::Matrix<Scalar, 1, Degree == dynamic ? Eigen::Dynamic : Degree + 1, Eigen::RowMajor, 1,
-                                     Degree == dynamic ? max_degree + 1 : Degree + 1>;
+                                     Degree == dynamic ? largest_degree<Scalar> + 1 : Degree + 1>;
 
 /// Uninitialised room for the n + 1 values that belong to the coefficients of a curve of degree n.
 template <class Scalar, int Degree>
@@ -40,7 +47,7 @@ class Curve {
   static constexpr int fixed_degree = DegreeT;  ///< or `dynamic`
 
   explicit Curve(int degree) {
-    assert(degree >= 0 && degree <= max_degree);
+    assert(degree >= 0 && degree <= largest_degree<Scalar>);
     // Not by Eigen's constructor, which takes two numbers as coefficients where the fixed size is small.
     coefficients_.resize(DimensionT, degree + 1);
   }
@@ -55,7 +62,7 @@ class Curve {
 
  private:
   static constexpr int columns = DegreeT == dynamic ? Eigen::Dynamic : DegreeT + 1;
-  static constexpr int max_columns = DegreeT == dynamic ? max_degree + 1 : DegreeT + 1;
+  static constexpr int max_columns = DegreeT == dynamic ? largest_degree<Scalar> + 1 : DegreeT + 1;
   static constexpr int order =
       DimensionT == 1 ? Eigen::RowMajor : Eigen::ColMajor;  // Eigen requires this of a single row
   Eigen::Matrix<Scalar, DimensionT, columns, order, DimensionT, max_columns> coefficients_;

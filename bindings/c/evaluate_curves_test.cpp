@@ -2,6 +2,7 @@
 // Many parameters, and many curves, in one call: each point has the bits that the method's own kernel gives for it alone.
 #include <bezierbench/bezierbench.h>
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -309,6 +310,30 @@ TEST(EvaluateCurves, ThreadsDoNotDisturbEachOtherAndNothingIsAllocated) {
       }
     });
   for (auto& thread : threads) thread.join();
+}
+
+/// A thread with a mebibyte of stack: a call that takes more ends the process.
+TEST(EvaluateCurves, AMebibyteOfStackSuffices) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers put room between the variables of the library";
+#endif
+  const auto call_all = [](void* /*unused*/) -> void* {
+    for (const bb_method& method : evaluators())
+      for (const int dimension : {1, 2, 3})
+        for (const std::size_t count : {1, 20}) {
+          const int degree = std::min(method.max_degree_float, 40);
+          static_cast<void>(Problem<double>(method, dimension, degree, 20, count).together());
+          static_cast<void>(Problem<float>(method, dimension, degree, 20, count).together());
+        }
+    return nullptr;
+  };
+  pthread_attr_t attributes;
+  ASSERT_EQ(pthread_attr_init(&attributes), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, 1 << 20), 0);
+  pthread_t thread;
+  ASSERT_EQ(pthread_create(&thread, &attributes, call_all, nullptr), 0);
+  ASSERT_EQ(pthread_join(thread, nullptr), 0);
+  ASSERT_EQ(pthread_attr_destroy(&attributes), 0);
 }
 
 }  // namespace

@@ -109,13 +109,13 @@ TEST_P(GroupTarget, HasThemAtHighDegrees) {
   const auto in_floating_point = [&](const auto& kernel) {
     return kernel.converted == nullptr || find_group(target(), kernel).convert != nullptr;
   };
-  for (const int degree : {54, 56, 131, 170}) {
+  for (const int degree : {54, 56, max_degree_of_groups}) {
     expect_group_bits<double>(target(), 2, degree, in_floating_point);
     expect_group_bits<float>(target(), 2, degree, in_floating_point);
   }
   const auto as_given = [](const auto& kernel) { return kernel.converted == nullptr; };
   for (int dimension = 1; dimension <= max_dimension; ++dimension)
-    expect_group_bits<double>(target(), dimension, max_degree, as_given);
+    expect_group_bits<float>(target(), dimension, max_degree_of_groups, as_given);
 }
 
 /// What goes side by side on one curve does so on many, unless lanes come back to the curve, curves have weights,

@@ -71,7 +71,7 @@ class ManyNumbers<Size, batch::HWY_NAMESPACE::Lanes<S, Count, Which>> {
     return (static_cast<std::size_t>(i) * Size + k) * L::size;
   }
 
-  alignas(64) S numbers_[(max_degree + 1) * Size * L::size];
+  alignas(64) S numbers_[(largest_degree<L> + 1) * Size * L::size];
 };
 
 }  // namespace detail

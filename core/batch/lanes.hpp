@@ -13,6 +13,9 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/batch/target_table.hpp"
+#include "core/curve_view.hpp"
+
 namespace bezierbench::batch::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -81,6 +84,7 @@ class Lanes {
   using Mask = LaneMask<Scalar, Count>;
   static constexpr int axes = 1;
   static constexpr bool reads_curves = Which == Curves::one;
+  static constexpr int largest_degree = Which == Curves::one ? max_degree : max_degree_of_groups;
   static constexpr std::size_t per_vector = HWY_LANES(Scalar);
   static constexpr std::size_t size = per_vector * Count;
 

@@ -33,6 +33,8 @@ using Divide = void (*)(const Scalar* homogeneous, int dimension, std::size_t co
 /// `axis` of coefficient i of curve k is at [(i * dimension + axis) * curves_at_once + k] (of double-double
 /// coefficients all high parts, then all low parts), of its point at [axis * curves_at_once + k], and its t at [k].
 inline constexpr std::size_t curves_at_once = 16;
+/// Their largest degree: what a method keeps of them lies on the stack.
+inline constexpr int max_degree_of_groups = 127;
 
 /// Both process all curves of a group, also those whose results nobody reads.
 template <class Scalar>

@@ -36,7 +36,7 @@ void GroupPoints<Scalar>::add(const CurveView<Scalar>& curve, Scalar t) {
 
 template <class Scalar>
 void GroupPoints<Scalar>::evaluate(const GroupMethod<Scalar>& method, PointsOfGroup& points) {
-  if (method.side_by_side.evaluate == nullptr) return evaluate_one_by_one(method, points);
+  if (method.side_by_side.evaluate == nullptr || !fits_in_groups()) return evaluate_one_by_one(method, points);
   std::array<Scalar, reference::max_dimension * trials_at_once> computed;
   method.side_by_side.evaluate(degree_, evaluated_coefficients(method).data(), t_.data(), computed.data());
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
@@ -50,7 +50,7 @@ const std::vector<Scalar>& GroupPoints<Scalar>::evaluated_coefficients(const Gro
   if (kernel.conversion == nullptr) return given_;
   if (kernel.conversion == conversion_) return converted_;
   conversion_ = kernel.conversion;
-  if (method.side_by_side.convert != nullptr) {
+  if (method.side_by_side.convert != nullptr && fits_in_groups()) {
     converted_.resize(given_.size());
     method.side_by_side.convert(degree_, given_.data(), converted_.data());
     return converted_;

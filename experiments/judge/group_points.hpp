@@ -55,6 +55,7 @@ class GroupPoints {
   void check_first(const GroupMethod<Scalar>& method, const PointsOfGroup& points);
 
  private:
+  [[nodiscard]] bool fits_in_groups() const { return degree_ <= batch::max_degree_of_groups; }
   const std::vector<Scalar>& evaluated_coefficients(const GroupMethod<Scalar>& method);
   void evaluate_one_by_one(const GroupMethod<Scalar>& method, PointsOfGroup& points);
 

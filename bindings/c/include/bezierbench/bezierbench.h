@@ -5,8 +5,7 @@
  * Every function that returns int returns BB_OK or another bb_status, and writes its results only where that is BB_OK.
  * Points are written coordinate by coordinate: x0 y0 x1 y1 ... in the plane; results likewise, in the order of t. A
  * dimension is 1, 2 or 3, a degree 0 to 1023; coordinates, weights and parameters are finite. Results must not overlap
- * what is read. An evaluation takes up to 1.2 MiB of the thread's stack, of many
- * curves 3.3 MiB.
+ * what is read. An evaluation takes at most 0.7 MiB of the thread's stack.
  *
  * All functions may be called by several threads at once, also with one bb_prepared, bb_fitted or bb_curves, as long as
  * none frees it. Methods and reference compute in IEEE 754 arithmetic to nearest: in another rounding mode, or where subnormal
