@@ -48,6 +48,7 @@ void evaluate_curves(const Points& points, int degree, const Parameters& t, Out&
   using Scalar = typename Point::value_type;
   static_assert(std::is_same_v<std::ranges::range_value_t<Out>, Point>, "control points and points are of one type");
   static_assert(std::is_same_v<std::ranges::range_value_t<Parameters>, Scalar>, "t has the type of the coordinates");
+  if (form == BB_RATIONAL) throw std::invalid_argument("bezierbench: rational curves have weights: bb_evaluate_curves");
   const std::size_t coefficients = degree < 0 ? 1 : static_cast<std::size_t>(degree) + 1;
   const std::size_t curves = std::ranges::size(points) / coefficients;
   const std::size_t count = curves == 0 ? 0 : std::ranges::size(t) / curves;
