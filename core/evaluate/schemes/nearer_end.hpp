@@ -9,6 +9,7 @@
 
 #include "core/evaluate/evaluator.hpp"
 #include "core/vector/lane_choice.hpp"
+#include "core/vector/view.hpp"
 
 namespace bezierbench {
 
@@ -35,6 +36,29 @@ class FromNearerEnd {
   // A mask of lanes is not copied: compilers do so in pieces of a few bytes.
   std::conditional_t<std::same_as<Choice, bool>, bool, const Choice&> from_start_;
   const CurveT& curve_;
+};
+
+/// Of a view of all axes: from one end or the other by the sign of a step, which takes less than to choose each place.
+/// Where the degree is known compilers choose once for all places.
+template <Form F, ReadsCurves V>
+class FromNearerEnd<bool, Curve<F, V, 1, dynamic>> {
+ public:
+  using Scalar = V;
+  static constexpr int dimension = 1;
+  static constexpr int fixed_degree = dynamic;
+
+  [[gnu::always_inline]] FromNearerEnd(bool from_start, const Curve<F, V, 1, dynamic>& curve)
+      : first_(from_start ? curve.data() : curve.data() + static_cast<std::ptrdiff_t>(curve.degree()) * V::axes),
+        step_(from_start ? V::axes : -V::axes),
+        degree_(curve.degree()) {}
+
+  [[nodiscard, gnu::always_inline]] int degree() const { return degree_; }
+  [[nodiscard, gnu::always_inline]] V operator()(int /*axis*/, int i) const { return V::read(first_ + i * step_); }
+
+ private:
+  const typename V::Scalar* first_;
+  std::ptrdiff_t step_;
+  int degree_;
 };
 
 /// The curve with its control points in reverse order.
