@@ -370,6 +370,20 @@ TEST(SourceDocument, PrintedSimpsonTestBreaksItsPromise) {
   EXPECT_GT(broken, trials / 20);
 }
 
+/// [Document 000], section 3.1, takes a chord for the step times the speed at some t between. A closed curve has a
+/// chord of 0, and the speed of this one, 9 |((1-t)^2 - 2t(1-t), 2t(1-t) - t^2)|, is nowhere 0.
+TEST(SourceDocument, AChordIsNotASpeedTimesAStep) {
+  const std::vector<double> closed{0, 0, 3, 0, 0, 3, 0, 0};
+  double least = 9;
+  for (int k = 0; k <= 64; ++k) {
+    const double t = k / 64.0;
+    least = std::min(least, 9 * std::hypot((1 - t) * (1 - t) - 2 * t * (1 - t), 2 * t * (1 - t) - t * t));
+  }
+  EXPECT_GT(least, 2);
+  for (const auto& kernel : arc_length_kernels(2))
+    EXPECT_GT(kernel.measure({Form::bernstein, 2, 3, closed}, 0, 1, 1e-6).length, 2);
+}
+
 /// The example of [Document 000], section 3.2: (R cos t^2, R sin t^2), whose speed is 2 R t and whose length is R t^2,
 /// eq. (16). Equal steps of t cover 1 and 39 of 400 parts of the circle; those at t = sqrt(s/R) are even.
 TEST(SourceDocument, CircleBySquareOfT) {

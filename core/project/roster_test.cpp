@@ -182,6 +182,16 @@ TEST(Projection, FindsFiveInteriorCriticalPoints) {
   EXPECT_EQ(project("subdivide_hull", points, {0, 0}).distance, 0);
 }
 
+/// [Document 004] takes a t with d' = 0 and d'' >= 0 for a minimum of the distance. C = 1 + (t - 1/2)^3 has d' = d'' =
+/// 0 at t = 1/2, where its distance from 0, which rises all the way, has an inflection. Its nearest point is at t = 0.
+TEST(SourceDocument, AnInflectionOfTheDistanceIsNoMinimum) {
+  const std::vector<double> points{7.0 / 8, 9.0 / 8, 7.0 / 8, 9.0 / 8};
+  for (const auto& id : global) {
+    EXPECT_EQ(project(id, points, {0}).t, 0) << id;
+    EXPECT_EQ(project(id, points, {0}).distance, 7.0 / 8) << id;
+  }
+}
+
 /// Straight lines at constant speed in any degree: the leading coefficients of f vanish.
 TEST(Projection, OntoALineOfAnyDegree) {
   for (const int n : {1, 2, 3, 5, 8})

@@ -4,10 +4,9 @@
 //   taken, and polished, so that what is missed is the fault of the pruning alone.
 // Source: [Document 004], third answer; a baseline for subdivide_hull. The document halves until the error is
 //   negligible.
-// Cost: two triangles per piece; some 300 to 1000 pieces, since pieces about the nearest point hardly differ in
-//   distance.
+// Cost: two triangles per piece; some 100 pieces, and more where many points are about equally near.
 // Bound: polished_residual_bound of (C - P).C' at t inside (0, 1).
-// Fails: the distance of the vertices is no lower bound of that of the curve, which may pass between them. (6,3) (5,6)
+// Fails: the distance of the vertices is not a lower bound of that of the curve, which passes between them. (6,3) (5,6)
 //   (-7,-2) (7,4) and P = (5,3) have the nearest point at t = 0.945677, distance 0.15324. It is dropped after four
 //   rounds; the nearest of what is left is 0.680 away. Such curves are rare: 2 of 300,000 random cubics and points, and
 //   29 where the point is on the cubic.
