@@ -101,6 +101,7 @@ FLIPS = {
     "via_power_worse": _scale("against_exact", 1e9, "scorecard.csv", method="de_casteljau"),
     "growth_with_degree": _tame,
     "growth_with_t": _scale("against_exact", 1e9, "scorecard.csv", table="2.3.3", t_min=0),
+    "recommended": _scale("mean_error", 2, method="de_casteljau", study="2.3.1-bezier", baseline="exact"),
     "conversion_dominates": _scale("ours_median", 2, "scorecard.csv", method="forward_substitution:direct", degree=20),
     "time_order": _scale("ours_median", 100, "scorecard_timing.csv", method="direct"),
     "ladder_best": _raise("mean_error_u", 9.0, study="ladder-bezier", method="compensated_de_casteljau", degree=20),
@@ -314,9 +315,9 @@ class Findings(unittest.TestCase):
 
     def test_missing_file_leaves_undecided(self):
         found, undecided = _findings(without=("conversion.csv", "scorecard_timing.csv"))
-        self.assertEqual({name for name, _ in undecided}, {"round_trip_grid", "timings_quantised", "time_order", "conversion_norm"})
+        self.assertEqual({name for name, _ in undecided}, {"round_trip_grid", "timings_quantised", "time_order", "conversion_norm", "recommended"})
         self.assertIn("the bundle has no `conversion.csv`", dict(undecided)["round_trip_grid"])
-        self.assertEqual(len(found), len(ON_DRAWN) - 4)
+        self.assertEqual(len(found), len(ON_DRAWN) - 5)
 
     def test_nothing_but_bundle_json(self):
         found, undecided = _findings(without=tuple(fixture.FILES))
