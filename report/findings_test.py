@@ -125,6 +125,7 @@ FLIPS = {
     "peers_accuracy": _scale("mean_error", 100, "unstable.csv", study="peers-bezier", degree=20),
     "peers_cache": _scale("mean_error", 1e-6, "unstable.csv", study="peers-bezier", method="peer_occt_cached"),
     "arc_length_promise": _set("broken_promises", 1, "arc_length.csv", method="adaptive_simpson38", tolerance=1e-9),
+    "arc_length_as_printed": _set("max_relative", 0, "arc_length.csv", method="seed_000_simpson38"),
     "arc_length_cost": _set("mean_evaluations", 20, "arc_length.csv", method="adaptive_simpson38", tolerance=1e-9),
     "fitting_promise": _set("broken_promises", 1, "fitting.csv", method="schneider", data="noisy", tolerance=1e-6),
     "fitting_source": _set("one_segment", 0, "fitting.csv", method="gauss_newton", data="samples", tolerance=1e-6),
