@@ -101,6 +101,7 @@ FLIPS = {
     "via_power_worse": _scale("against_exact", 1e9, "scorecard.csv", method="de_casteljau"),
     "growth_with_degree": _tame,
     "growth_with_t": _scale("against_exact", 1e9, "scorecard.csv", table="2.3.3", t_min=0),
+    "recommended": _scale("mean_error", 2, method="de_casteljau", study="2.3.1-bezier", baseline="exact"),
     "conversion_dominates": _scale("ours_median", 2, "scorecard.csv", method="forward_substitution:direct", degree=20),
     "time_order": _scale("ours_median", 100, "scorecard_timing.csv", method="direct"),
     "ladder_best": _raise("mean_error_u", 9.0, study="ladder-bezier", method="compensated_de_casteljau", degree=20),
@@ -124,6 +125,7 @@ FLIPS = {
     "peers_accuracy": _scale("mean_error", 100, "unstable.csv", study="peers-bezier", degree=20),
     "peers_cache": _scale("mean_error", 1e-6, "unstable.csv", study="peers-bezier", method="peer_occt_cached"),
     "arc_length_promise": _set("broken_promises", 1, "arc_length.csv", method="adaptive_simpson38", tolerance=1e-9),
+    "arc_length_as_printed": _set("max_relative", 0, "arc_length.csv", method="seed_000_simpson38"),
     "arc_length_cost": _set("mean_evaluations", 20, "arc_length.csv", method="adaptive_simpson38", tolerance=1e-9),
     "fitting_promise": _set("broken_promises", 1, "fitting.csv", method="schneider", data="noisy", tolerance=1e-6),
     "fitting_source": _set("one_segment", 0, "fitting.csv", method="gauss_newton", data="samples", tolerance=1e-6),
@@ -314,9 +316,9 @@ class Findings(unittest.TestCase):
 
     def test_missing_file_leaves_undecided(self):
         found, undecided = _findings(without=("conversion.csv", "scorecard_timing.csv"))
-        self.assertEqual({name for name, _ in undecided}, {"round_trip_grid", "timings_quantised", "time_order", "conversion_norm"})
+        self.assertEqual({name for name, _ in undecided}, {"round_trip_grid", "timings_quantised", "time_order", "conversion_norm", "recommended"})
         self.assertIn("the bundle has no `conversion.csv`", dict(undecided)["round_trip_grid"])
-        self.assertEqual(len(found), len(ON_DRAWN) - 4)
+        self.assertEqual(len(found), len(ON_DRAWN) - 5)
 
     def test_nothing_but_bundle_json(self):
         found, undecided = _findings(without=tuple(fixture.FILES))

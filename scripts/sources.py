@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks that every citation can be looked up, that every method's header opens with its labelled lines, and that long proofs
-are pages of docs/proofs.
+"""Checks that every citation can be looked up, that every method's header opens with its labelled lines, that long proofs are
+pages of docs/proofs, and that everything that the source documents print has its place in the tree.
 
 sources.py [ROOT] [--program PROGRAM]   prints one line per finding and exits 1 if there is any.
 
@@ -23,6 +23,9 @@ LABELS = ("Formula", "Source", "Cost", "Bound", "Fails")
 LONGEST_PROOF = 6  # lines of a comment
 WIDTH = 120  # clang-format does not wrap comments
 NO_SOURCE = "bound derived here"  # a part of a method's citation that names no source
+TABLE = "| document | there | what | here | verdict |"
+DOCUMENTS = ("000", "001", "002", "003", "004")
+VERDICTS = ("right", "as printed", "corrected", "judged", "drawn")
 
 KEY = r"\[((?:de )?[A-Z][A-Za-z.\- ]* \d{3,4})\]"
 ENTRY = re.compile(rf"^(?:###|-) {KEY} \S", re.MULTILINE)
@@ -133,6 +136,46 @@ def header_findings(name, text):
                 yield f"{name}:2: the method cites [{key}], the line Source: does not"
 
 
+def place_finding(root, place):
+    """What is wrong with a place, `file` or `file#words in it`; None where it exists."""
+    name, _, words = place.partition("#")
+    path = root / name
+    if not path.is_file():
+        return f"{name} is not a file"
+    if words and words not in path.read_text(encoding="utf-8"):
+        return f"{name} does not have the words '{words}'"
+    return None
+
+
+def table_findings(root, sources):
+    """Yields the rows of the table of the documents without a place, with one that does not exist, or without a known verdict."""
+    lines = sources.splitlines()
+    if TABLE not in lines:
+        yield f"{SOURCES}: no table with the head {TABLE}"
+        return
+    first, seen = lines.index(TABLE) + 2, set()
+    for number, line in enumerate(lines[first:], first + 1):
+        if not line.startswith("|"):
+            break
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if len(cells) != 5 or not all(cells[:3]):
+            yield f"{SOURCES}:{number}: {len(cells)} cells; write document, place there, what it is, place here and verdict"
+            continue
+        document, _, what, here, verdict = cells
+        seen.add(document)
+        places = re.findall(r"`([^`]+)`", here)
+        if not places:
+            yield f"{SOURCES}:{number}: '{what}' has no place; name a file, or a file and words in it as `file#words`"
+        for place in places:
+            if wrong := place_finding(root, place):
+                yield f"{SOURCES}:{number}: {wrong}"
+        if document not in DOCUMENTS:
+            yield f"{SOURCES}:{number}: '{document}' is not one of the documents {', '.join(DOCUMENTS)}"
+        if verdict not in VERDICTS:
+            yield f"{SOURCES}:{number}: '{verdict}' is not a verdict; write one of {', '.join(VERDICTS)}"
+    yield from (f"{SOURCES}: the table has no row of document {document}" for document in DOCUMENTS if document not in seen)
+
+
 def listed_findings(listing, keys):
     """Yields the parts of citations in the program's list of methods that do not begin with a listed key."""
     rows = list(csv.DictReader(io.StringIO(listing)))
@@ -150,7 +193,8 @@ def listed_findings(listing, keys):
 
 
 def findings(root, listing=None):
-    keys = keys_of((root / SOURCES).read_text(encoding="utf-8"))
+    sources = (root / SOURCES).read_text(encoding="utf-8")
+    keys = keys_of(sources)
     texts = {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8") for path in cxx_files(root)}
     found = [f"{SOURCES}: [{key}] is listed twice" for key in sorted({key for key in keys if keys.count(key) > 1})]
     pages = {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8") for path in sorted((root / PROOFS).glob("*.md"))}
@@ -168,6 +212,7 @@ def findings(root, listing=None):
     used = {key for text in texts.values() for _, comment in comments(text) for key in re.findall(KEY, comment)}
     used |= {key for _, key in cited_in_proofs}
     found += [f"{SOURCES}: nothing cites [{key}]" for key in keys if key not in used]
+    found += table_findings(root, sources)
     if listing is not None:
         found += listed_findings(listing, keys)
     return found, len(keys), len(headers)

@@ -13,7 +13,10 @@ LIST = """# Sources
 ### [Report 001] A report
 - [de Boor 1978] A book.
 - [Higham 2002] Another book.
-"""
+
+| document | there | what | here | verdict |
+|---|---|---|---|---|
+""" + "".join(f"| {document} | 1 | a formula | `core/evaluate/a.hpp#[0, 1]` | right |\n" for document in sources.DOCUMENTS)
 HEADER = """// SPDX-License-Identifier: MIT
 // Formula: p = q_0 on [0, 1].
 // Source: [Higham 2002], section 5.1, and [de Boor
@@ -52,8 +55,8 @@ class Sources(unittest.TestCase):
         self.expect("[Farin 2002] is not listed", header=HEADER + "int n;  // [Farin 2002]\n")
 
     def test_an_unused_and_a_doubled_key_are_found(self):
-        self.expect("nothing cites [Farin 2002]", listed=LIST + "- [Farin 2002] A book.\n")
-        self.expect("[Higham 2002] is listed twice", listed=LIST + "- [Higham 2002] The same book.\n")
+        self.expect("nothing cites [Farin 2002]", listed="- [Farin 2002] A book.\n" + LIST)
+        self.expect("[Higham 2002] is listed twice", listed="- [Higham 2002] The same book.\n" + LIST)
 
     def test_a_citation_without_its_key_is_found(self):
         for words in ("Higham 2002", "SIAM Review 46 (2004) 501-517", "seed report 001", "the documents 002"):
@@ -97,6 +100,18 @@ class Sources(unittest.TestCase):
         self.expect("no header names this page", pages=[(page, "# A\n")])
         self.expect(f"{page}: [Farin 2002] is not listed", header=HEADER.replace(proof, f"// Bound: u, by {page}.\n"),
                     pages=[(page, "By [Farin 2002].\n")])
+
+    def test_a_row_without_its_place_is_found(self):
+        row = "| 003 | 2 | a system | {} | {} |\n"
+        for cells, wanted in ((("", "right"), "'a system' has no place"), (("core", "right"), "'a system' has no place"),
+                              (("`core/b.hpp`", "right"), "core/b.hpp is not a file"), (("`core`", "right"), "core is not a file"),
+                              (("`core/evaluate/a.hpp#[0, 2]`", "right"), "does not have the words '[0, 2]'"),
+                              (("`core/evaluate/a.hpp`", "wrong"), "'wrong' is not a verdict"),
+                              (("`core/evaluate/a.hpp` | more", "right"), "6 cells")):
+            self.expect(wanted, listed=LIST + row.format(*cells))
+        self.expect("'005' is not one of the documents", listed=LIST + row.format("`core/evaluate/a.hpp`", "right").replace("003", "005"))
+        self.expect("no row of document 004", listed=LIST.replace("| 004 |", "| 003 |"))
+        self.expect("no table with the head", listed=LIST.replace("verdict", "verdicts"))
 
     def test_a_core_without_methods_is_found(self):
         self.expect("no roster includes a method", header=HEADER.replace('.id = "a"', ""))

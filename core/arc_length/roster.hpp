@@ -6,12 +6,16 @@
 #include "core/arc_length/chord_sum.hpp"
 #include "core/arc_length/gauss_legendre_24.hpp"
 #include "core/arc_length/gauss_legendre_adaptive.hpp"
+#include "core/arc_length/seed_000_simpson38.hpp"
+#include "core/arc_length/simpson38.hpp"
 
 namespace bezierbench {
 
 using ArcLengthMethods = TypeList<AdaptiveSimpson38,      //
                                   GaussLegendre24,        //
                                   GaussLegendreAdaptive,  //
-                                  ChordSum>;
+                                  ChordSum,               //
+                                  Simpson38,              //
+                                  Seed000Simpson38>;
 
 }  // namespace bezierbench

@@ -79,6 +79,8 @@ Known scaled(Known curve, double factor) {
   return curve;
 }
 
+bool promises_something(const ArcLengthKernel& kernel) { return !kernel.info->promise.starts_with("none"); }
+
 TEST(ArcLength, KeepsItsToleranceOrSaysSo) {
   for (const auto& original : known_curves())
     for (const double factor : {1.0, 1e-9, 1e10, 0x1p-900, 0x1p+900})
@@ -111,8 +113,9 @@ TEST(ArcLength, KeepsItsToleranceWhereverACuspIs) {
       for (const auto& kernel : arc_length_kernels(curve.dimension))
         for (const double tolerance : {1e-2, 1e-3, 1e-5, 1e-8}) {
           const auto result = kernel.measure(curve.view(), curve.from, curve.to, tolerance);
-          EXPECT_LE(std::abs(result.length - curve.length),
-                    (result.converged ? tolerance + 1e-14 : 0.05) * curve.length)
+          const bool one_panel = kernel.info->id == Simpson38::info.id;
+          const double allowed = result.converged ? tolerance + 1e-14 : one_panel ? 0.5 : 0.05;
+          EXPECT_LE(std::abs(result.length - curve.length), allowed * curve.length)
               << kernel.info->id << " " << curve.name << " trial " << trial << " tolerance " << tolerance;
         }
   }
@@ -143,7 +146,7 @@ TEST(ArcLength, AdaptiveMethodsConvergeWhereTheyCan) {
       const bool gauss = kernel.info->id == GaussLegendreAdaptive::info.id;
       const double tolerance = simpson ? 1e-9 : gauss ? 1e-12 : 1e-4;
       const auto result = kernel.measure(curve.view(), curve.from, curve.to, tolerance);
-      EXPECT_EQ(result.converged, kernel.info->id != GaussLegendre24::info.id)
+      EXPECT_EQ(result.converged, promises_something(kernel))
           << kernel.info->id << " " << curve.name << ": estimate " << result.error_estimate << " of " << result.length;
       if (simpson || gauss) {
         EXPECT_LT(result.evaluations, 60000) << kernel.info->id << " " << curve.name;
@@ -302,6 +305,7 @@ TEST(ArcLength, IsNotWorseAtATighterTolerance) {
     const CurveView<double> curve{Form::bernstein, 2, n, points};
     const reference::TrueLength truth(curve, 0, 1);
     for (const auto& kernel : arc_length_kernels(2)) {
+      if (kernel.info->id == Seed000Simpson38::info.id) continue;  // its errors at a turn are accidents
       double looser = std::numeric_limits<double>::infinity();
       for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
         const double error = truth.error_of(kernel.measure(curve, 0, 1, tolerance).length);
@@ -318,6 +322,84 @@ TEST(ArcLength, OfAPartThatIsLostIsNotPromised) {
   const std::vector<double> rests{0, 0, 0, 1};  // t^3
   for (const auto& kernel : arc_length_kernels(1))
     EXPECT_FALSE(kernel.measure({Form::bernstein, 1, 3, rests}, 0, 1e-200, 1e-2).converged) << kernel.info->id;
+}
+
+double length_by(const MethodInfo& method, const Known& curve, double tolerance) {
+  for (const auto& kernel : arc_length_kernels(curve.dimension))
+    if (kernel.info == &method) return kernel.measure(curve.view(), curve.from, curve.to, tolerance).length;
+  throw std::invalid_argument(std::string(method.id));
+}
+
+/// Four speeds by hand: 4, 2/3, 8/3, 6 of 4 - 10 t, and 1, sqrt(13)/3, 5/3, sqrt(5) of the parabola.
+TEST(Simpson38, OfOnePanel) {
+  EXPECT_NEAR(length_by(Simpson38::info, {"there and farther back", 1, {0, 2, -1}, 2.6}, 1e-9), 2.5, 1e-15);
+  EXPECT_NEAR(length_by(Simpson38::info, {"parabola", 2, {0, 0, 0.5, 0, 1, 1}, 1.4789}, 1e-9),
+              (6 + std::sqrt(13) + std::sqrt(5)) / 8, 1e-15);
+}
+
+/// The factor 15 of [Document 000] is right: on t^4 the errors of one panel and of its halves are 1/270 and 1/4320, and
+/// what is extrapolated is exact.
+TEST(Simpson38, OfAPowerOfFourIsExactAfterExtrapolation) {
+  const auto power = [](double t) { return t * t * t * t; };
+  const double whole = simpson38_panel(power, 0, 1);
+  const double halves = simpson38_panel(power, 0, 0.5) + simpson38_panel(power, 0.5, 1);
+  EXPECT_NEAR(whole - 0.2, 1.0 / 270, 1e-16);
+  EXPECT_NEAR(halves - 0.2, 1.0 / 4320, 1e-16);
+  EXPECT_NEAR(Seed000Simpson38::integral(power, 0, 1, 1, 0), 0.2, 1e-16);
+}
+
+/// The printed test |S_left + S_right - S| <= 15 eps accepts lengths that are off by more than eps: of random cubics
+/// one in seven at the document's eps of 1e-4, and a turn between two abscissae at any eps.
+TEST(SourceDocument, PrintedSimpsonTestBreaksItsPromise) {
+  const Known turn{"turn", 1, {1, 18, 0, 19}, 11665.0 / 648};
+  for (const double tolerance : {1e-4, 1e-6, 1e-9, 1e-12})
+    EXPECT_NEAR(turn.length - length_by(Seed000Simpson38::info, turn, tolerance), 1.0 / 648, 1e-13);
+  Inputs inputs(11);
+  constexpr int trials = 2000;
+  constexpr double tolerance = 1e-4;
+  int broken = 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    Known cubic{"cubic", 2, inputs.coefficients(3, 2), 0};
+    cubic.length = length_by(GaussLegendreAdaptive::info, cubic, 1e-11);
+    const auto off = [&](const MethodInfo& method) {
+      return std::abs(length_by(method, cubic, tolerance) - cubic.length) / cubic.length;
+    };
+    broken += off(Seed000Simpson38::info) > 2 * tolerance ? 1 : 0;
+    EXPECT_LE(off(AdaptiveSimpson38::info), tolerance);
+  }
+  EXPECT_GT(broken, trials / 20);
+}
+
+/// [Document 000], section 3.1, takes a chord for the step times the speed at some t between. A closed curve has a
+/// chord of 0, and the speed of this one, 9 |((1-t)^2 - 2t(1-t), 2t(1-t) - t^2)|, is nowhere 0.
+TEST(SourceDocument, AChordIsNotASpeedTimesAStep) {
+  const std::vector<double> closed{0, 0, 3, 0, 0, 3, 0, 0};
+  double least = 9;
+  for (int k = 0; k <= 64; ++k) {
+    const double t = k / 64.0;
+    least = std::min(least, 9 * std::hypot((1 - t) * (1 - t) - 2 * t * (1 - t), 2 * t * (1 - t) - t * t));
+  }
+  EXPECT_GT(least, 2);
+  for (const auto& kernel : arc_length_kernels(2))
+    EXPECT_GT(kernel.measure({Form::bernstein, 2, 3, closed}, 0, 1, 1e-6).length, 2);
+}
+
+/// The example of [Document 000], section 3.2: (R cos t^2, R sin t^2), whose speed is 2 R t and whose length is R t^2,
+/// eq. (16). Equal steps of t cover 1 and 39 of 400 parts of the circle; those at t = sqrt(s/R) are even.
+TEST(SourceDocument, CircleBySquareOfT) {
+  constexpr double R = 200;
+  constexpr int steps = 20;
+  const double pi = std::acos(-1);
+  const double end = std::sqrt(2 * pi);
+  const auto speed = [](double t) {  // |C'|, from the derivatives of both coordinates
+    return std::hypot(-2 * R * t * std::sin(t * t), 2 * R * t * std::cos(t * t));
+  };
+  const auto share = [&](double from, double to) { return simpson38_panel(speed, from, to) / (2 * pi * R); };
+  EXPECT_NEAR(share(0, end), 1, 1e-14);
+  EXPECT_NEAR(share(0, end / steps), 1.0 / 400, 1e-15);
+  EXPECT_NEAR(share(end - end / steps, end), 39.0 / 400, 1e-14);
+  const auto at = [&](int k) { return std::sqrt(2 * pi * k / steps); };  // sqrt(s/R)
+  for (int k = 0; k < steps; ++k) EXPECT_NEAR(share(at(k), at(k + 1)), 1.0 / steps, 1e-14);
 }
 
 TEST(GaussLegendre, IntegratesPolynomialsExactly) {

@@ -62,6 +62,43 @@ TEST(Derivative, TheSeedDocumentAsPrintedIsWrongFromTheSecondOrderOn) {
   EXPECT_THAT(derivative(seed, curve, 3, 0.5), testing::ElementsAre(12, 0));
 }
 
+/// [Document 000], eq. (7): B'_i,n = n (B_(i-1),(n-1) - B_i,(n-1)), from the products of powers at t = 1/4, which are
+/// exact.
+TEST(SourceDocument, DerivativeOfABernsteinPolynomial) {
+  const auto polynomial = [](int i, int n) {
+    return i < 0 || i > n ? 0 : BinomialRow<double, dynamic>(n)[i] * std::pow(0.25, i) * std::pow(0.75, n - i);
+  };
+  for (const int n : {1, 2, 3, 7})
+    for (int i = 0; i <= n; ++i) {
+      std::vector<double> unit(static_cast<std::size_t>(n) + 1, 0.0);
+      unit[static_cast<std::size_t>(i)] = 1;
+      for (const auto& kernel : right_kernels(Form::bernstein, 1, 1))
+        EXPECT_NEAR(derivative(kernel, {Form::bernstein, 1, n, unit}, 1, 0.25)[0],
+                    n * (polynomial(i - 1, n - 1) - polynomial(i, n - 1)), 1e-14)
+            << kernel.info->id << " " << i << " of " << n;
+    }
+}
+
+/// [Document 000], eq. (11), sums the points of the second derivative with Bernstein polynomials of degree n - 1. These
+/// are 1/4 and 1/2 at t = 1/2, and those of degree n - 2 are 1/2. Likewise the points of eq. (9) have the factor n that
+/// eq. (6) has before its sum: together they count it twice.
+TEST(SourceDocument, PrintedSecondDerivativeIsOfTheWrongDegree) {
+  Curve<Form::bernstein, double, 2> curve(3);
+  for (int i = 0; i <= 3; ++i)
+    for (int axis = 0; axis < 2; ++axis) curve(axis, i) = worked[static_cast<std::size_t>(2 * i + axis)];
+  const auto points = hodograph(curve, 2);
+  std::vector<double> right;
+  std::vector<double> printed;
+  for (int axis = 0; axis < 2; ++axis) {
+    right.push_back((points(axis, 0) + points(axis, 1)) / 2);
+    printed.push_back(points(axis, 0) / 4 + points(axis, 1) / 2);
+  }
+  EXPECT_THAT(right, testing::ElementsAre(0, 3));
+  EXPECT_THAT(printed, testing::ElementsAre(1.5, 1.5));
+  const auto first = hodograph(curve, 1);
+  EXPECT_EQ(3 * (first(0, 0) + 2 * first(0, 1) + first(0, 2)) / 4, 3 * 4.5);  // (6) with the points of (9)
+}
+
 /// 20 19 ... 13 = 5079110400 becomes 784143104 in 32 bits. D^8 b_0 = b_0 where all other control points are 0.
 TEST(Derivative, TheFactorOfTheSeedDocumentWrapsAround) {
   std::vector<double> first(21, 0.0);

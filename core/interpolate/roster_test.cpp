@@ -54,16 +54,46 @@ std::vector<double> points_of(int kind, std::size_t count, Inputs& inputs) {
   return k;
 }
 
+const InterpolationKernel& kernel_of(const MethodInfo& method) {
+  return *std::ranges::find(interpolation_kernels(), &method, &InterpolationKernel::info);
+}
+
 /// 5/9, 8/9, -1/9 and 10/9, 1/9, 4/9, computed by hand from the corrected system of [Document 003].
 TEST(Interpolation, OfZeroOneZeroOne) {
   const std::vector<double> k{0, 1, 0, 1};
   const std::vector<double> ninths{0, 5, 10, 9, 9, 8, 1, 0, 0, -1, 4, 9};
   for (const auto& kernel : interpolation_kernels()) {
+    if (kernel.info == &Seed003::info) continue;
     const auto segments = kernel.interpolate(k, 1);
     ASSERT_EQ(segments.size(), ninths.size());
     for (std::size_t i = 0; i < ninths.size(); ++i)
       EXPECT_NEAR(segments[i], ninths[i] / 9, 2 * u) << kernel.info->id << " " << i;
   }
+}
+
+/// The back-substitution of [Document 003] as printed gives P2 = -5/9, 10/9, 4/9, by hand. At the knots the residuals
+/// of C1 are (P1,i - K_i) - (K_i - P2,(i-1)) = -1/9 - 14/9 and -1/9 + 10/9. Only the last segment, whose P2 has a
+/// formula of its own, is right.
+TEST(SourceDocument, PrintedBackSubstitutionHasKinks) {
+  const std::vector<double> k{0, 1, 0, 1};
+  const auto segments = kernel_of(Seed003::info).interpolate(k, 1);
+  const std::vector<double> ninths{0, 5, -5, 9, 9, 8, 10, 0, 0, -1, 4, 9};
+  for (std::size_t i = 0; i < ninths.size(); ++i) EXPECT_NEAR(segments[i], ninths[i] / 9, 2 * u) << i;
+  EXPECT_NEAR((segments[5] - k[1]) - (k[1] - segments[2]), -5.0 / 3, 4 * u);
+  EXPECT_NEAR((segments[9] - k[2]) - (k[2] - segments[6]), 1, 4 * u);
+  EXPECT_NEAR(reference::round_to(reference::binary64, reference::spline_residuals(k, segments).c1), 5.0 / 3, 4 * u);
+}
+
+/// The condition for C1 in the first form of [Document 003], with 3 P0 for -3 P0, does not hold for the spline itself;
+/// 2 K_i = P2,(i-1) + P1,i does at the inner knots, and needs a segment -1 at i = 0, which is printed as its first
+/// index.
+TEST(SourceDocument, PrintedConditionForC1HasAWrongSign) {
+  const auto b = kernel_of(C2NaturalHandles::info).interpolate(std::vector<double>{0, 1, 0, 1}, 1);
+  const double printed = (3 * b[4] + 3 * b[5]) - (-3 * b[2] + 3 * b[3]);
+  const double right = (-3 * b[4] + 3 * b[5]) - (-3 * b[2] + 3 * b[3]);
+  EXPECT_NEAR(printed, 6 * b[4], 8 * u);  // 6, the residual
+  EXPECT_NEAR(right, 0, 8 * u);
+  EXPECT_NEAR(2 * b[4], b[2] + b[5], 4 * u);
 }
 
 /// The bound aimed at, 8 units, and the proved one, on difficult points of every magnitude.
@@ -78,6 +108,7 @@ TEST(Interpolation, KeepsTheResidualsThatItPromises) {
         for (const auto& kernel : interpolation_kernels()) {
           const auto segments = kernel.interpolate(k, 1);
           const double residual = residual_u(k, segments);
+          if (kernel.info == &Seed003::info) continue;
           if (kernel.residual_bound == 0) {
             worst = std::max(worst, residual);
             continue;
@@ -170,6 +201,7 @@ TEST(Interpolation, OfASegmentAndOfCoincidingPointsIsStraight) {
 TEST(Interpolation, TakesTheLargestAndTheSmallestNumbers) {
   const std::vector<double> large{1.7e308, -1.7e308, 1.7e308, 1.6e308};
   for (const auto& kernel : interpolation_kernels()) {
+    if (kernel.info == &Seed003::info) continue;
     const auto segments = kernel.interpolate(std::vector<double>{1e308, -1e308, 1e308, 1e308}, 1);
     for (const double value : segments) EXPECT_TRUE(std::isfinite(value)) << kernel.info->id;
     const auto beyond = kernel.interpolate(large, 1);

@@ -100,7 +100,11 @@ class Lists(Case):
         generators = {row["id"]: row for row in rows(self.fine("list", "generators", "--format", "csv"))}
         self.assertLessEqual({"continuous", "dyadic", "integer", "report"}, set(generators))
         self.assertLessEqual({"weights_mild", "weights_wild"}, {k for k, row in generators.items() if row["weights"]})
-        for topic in ("methods", "suites", "studies", "generators"):
+        for row in rows(self.fine("list", "worked", "--format", "csv")):  # the printed column is right
+            self.assertEqual((row["printed_correct"], row["correct"]), ("yes", "yes"))
+            for count in (row["to_power"], row["to_bernstein"]):
+                self.assertRegex(count, r"^(\d+) of \1$")
+        for topic in ("methods", "suites", "studies", "generators", "worked"):
             self.assertNotEqual(self.fine("list", topic), self.fine("list", topic, "--format", "csv"))
 
 

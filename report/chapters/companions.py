@@ -63,8 +63,8 @@ def _arc_lengths(bundle, study):
 companion(
     "arc_length", "Arc lengths",
     "The tolerance is relative to the length. A method that cannot keep it reports that it did not converge; a promise is broken where the "
-    "method reports convergence and the error is larger. `gauss_legendre_24` has no estimate of its error and never promises, nor do other "
-    "libraries, which count no evaluations. Evaluations are those of the speed, for sums of chords those of the curve. The truth is "
+    "method reports convergence and the error is larger. `gauss_legendre_24`, `simpson38` and `seed_000_simpson38` have no estimate of their "
+    "error and never promise, nor do other libraries, which count no evaluations. Evaluations are those of the speed, for sums of chords those of the curve. The truth is "
     "integrated with 70 digits.", figures=["arc_length_evaluations"])
 
 

@@ -274,6 +274,43 @@ def conversion_dominates(bundle):
         rows=[r for a in zip(*pairs) for r in a])
 
 
+NEARLY = 2  # times the time of direct evaluation
+
+
+@finding(about="conclusion", claim="In practice Bézier curves are to be evaluated by de Casteljau's algorithm: it has no factorials, which overflow, and is "
+         "hardly slower or less accurate than direct evaluation.", place="section 3.2, paragraph 3")
+def recommended(bundle):
+    """Holds where, at every printed degree, de Casteljau's mean error is at most about that of direct evaluation, and its time, measured as
+    the report does, at most twice as long."""
+    degrees_ = printed_degrees(bundle)
+    errors = [[against_exact(bundle, m, n) for m in ("de_casteljau", "direct")] for n in degrees_]
+    less = [a.number("mean_error") / b.number("mean_error") for a, b in errors]
+    table = bundle["scorecard_timing.csv"]
+    times = [[table.one(table="2.4", form="bernstein", method=m, degree=n) for m in ("de_casteljau", "direct")] for n in degrees_]
+    slower = [a.number("ours_median") / b.number("ours_median") for a, b in times]
+    once = [a.number("prepared_median") / b.number("prepared_median") for a, b in times if a["prepared_median"] and b["prepared_median"]]
+    said = f"Against the exact value de Casteljau's mean error is {span(min(less), max(less), general)} times that of direct evaluation"
+    return verdict(
+        max(less) <= FLAT and max(slower) <= NEARLY,
+        "De Casteljau's algorithm is a sound first choice: no factorials, and hardly slower or less accurate than direct evaluation.",
+        "De Casteljau's algorithm is clearly slower or less accurate than direct evaluation at a printed degree.",
+        f"{said}, its time {span(min(slower), max(slower), general)} times, with everything that the report charges to a curve"
+        + (f", and {span(min(once), max(once), general)} times when factorials are prepared once." if once else "."),
+        _without_factorials(bundle, degrees_[-1]), rows=[r for pair in (*errors, *times) for r in pair])
+
+
+def _without_factorials(bundle, n):
+    """How Horner's scheme in Bernstein form, which has no factorials either, compares at the highest degree; empty without its rows."""
+    exact = bundle.judged().select(study="truth-bezier", method="horner_bernstein", degree=n, baseline="exact", generator="continuous", scalar="double")
+    timed = [bundle["timing.csv"].select(study="2.4-bezier", method=m, degree=n, mode="point", scalar="double")
+             for m in ("horner_bernstein", "de_casteljau")] if "timing.csv" in bundle else [[]]
+    if len(exact) != 1 or any(len(rows) != 1 for rows in timed):
+        return ""
+    ratio = exact[0].number("mean_error") / against_exact(bundle, "de_casteljau", n).number("mean_error")
+    return (f"Horner's scheme in Bernstein form has no factorials either: at degree {shortest(n)}, for a prepared curve, it takes "
+            f"{general(timed[0][0].number('median_ns') / timed[1][0].number('median_ns'))} of de Casteljau's time with {general(ratio)} times its mean error.")
+
+
 # fastest first, as the report concludes
 ORDERS = {
     "bernstein": ("direct", "de_casteljau", "factorial:power_sum"),

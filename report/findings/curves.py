@@ -94,6 +94,23 @@ def arc_length_promise(bundle):
         + (f" {names(silent)} never promises." if silent else ""), rows=broken or rows[:1])
 
 
+PRINTED_RULE = "seed_000_simpson38"
+
+
+@finding("arc_length")
+def arc_length_as_printed(bundle):
+    """Holds where the printed adaptive rule is off by more than the tolerance with which its test accepted."""
+    rows = bundle["arc_length.csv"].of_suite("arc_length").some(method=PRINTED_RULE)
+    beyond = [r for r in rows if r.number("max_relative") > r.number("tolerance")]
+    in_mean = [r for r in rows if r.number("mean_relative") > r.number("tolerance")]
+    worst = max(rows, key=lambda r: r.number("max_relative") / r.number("tolerance"))
+    return verdict(
+        beyond, f"The source document's adaptive Simpson rule, which accepts at 15 eps, exceeds its tolerance in {len(beyond)} of {count(len(rows), 'cell')}.",
+        "The source document's adaptive Simpson rule exceeds its tolerance in no cell.",
+        f"In {count(len(in_mean), 'cell')} the mean error does. The largest error is {factor(worst['max_relative'] / worst['tolerance'])} times a tolerance of "
+        f"{shortest(worst['tolerance'])} (degree {shortest(worst['degree'])}, `{worst['generator']}`).", rows=[worst])
+
+
 TOLERANCES, SIMPSON, GAUSS = "arc_length-tolerance", "adaptive_simpson38", "gauss_legendre_adaptive"
 STRICT = 1e-6
 

@@ -18,7 +18,8 @@ from drawn_curves import constant, graded, integers, mirrored, straight, uniform
 
 COLUMNS = "method,t,distance,candidates,exact_t,exact_distance,error".split(",")
 GRID = 128
-ALWAYS = {"quintic_isolate", "quintic_companion", "subdivide_hull", "scan_bisect", "scan_refine"}
+ALWAYS = {"quintic_isolate", "quintic_companion", "quintic_durand_kerner", "quintic_jenkins_traub", "subdivide_hull", "scan_bisect",
+          "scan_refine", "scan_length", "seed_004_scan", "seed_004_subdivide"}
 
 
 def point_at(points, t):

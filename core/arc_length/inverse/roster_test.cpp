@@ -185,6 +185,43 @@ TEST(SourceDocument, PrintedFormulaNeverConverges) {
   EXPECT_TRUE(code.converged);  // the code divides both derivatives by 2
 }
 
+/// (t, t^2), whose length up to t is t sqrt(1 + 4 t^2)/2 + asinh(2t)/4. [Document 000] means t = 1/4 where it prints
+/// 0.4; [Document 004] says that t = 0.2 cuts a curve into 20 % and 80 %.
+TEST(SourceDocument, AQuarterOfTheLengthIsNotAtAQuarterOfT) {
+  const Points parabola{0, 0, 0.5, 0, 1, 1};
+  const auto share = [](double t) {
+    const auto length = [](double x) { return x * std::sqrt(1 + 4 * x * x) / 2 + std::asinh(2 * x) / 4; };
+    return length(t) / length(1);
+  };
+  EXPECT_NEAR(share(0.25), 0.1758, 1e-4);
+  EXPECT_NEAR(share(0.4), 0.3210, 1e-4);
+  EXPECT_NEAR(share(0.2), 0.1388, 1e-4);
+  const double whole = LengthAlong(view(parabola)).whole().convert_to<double>();
+  for (const auto& info : {BracketedNewton::info, Halley::info}) {
+    const auto quarter = kernel_of(info).solve(view(parabola), whole / 4, 1e-12);
+    EXPECT_NEAR(share(quarter.t), 0.25, 1e-11) << info.id;
+    EXPECT_GT(quarter.t, 0.3) << info.id;
+  }
+}
+
+/// [Document 000], eq. (15): the derivative of C by the length is C'/|C'|, of size 1. The equation before it, that this
+/// size is |C'(t)|, holds on (2t, 0) nowhere: there |C'| is 2.
+TEST(SourceDocument, TheDerivativeByTheLengthHasSizeOne) {
+  for (const auto& points : {Points{0, 0, 2, 0}, sharp}) {
+    const Formula formula{points, 0};
+    const double whole = LengthAlong(view(points)).whole().convert_to<double>();
+    constexpr double step = 1e-4;
+    for (const double part : {0.1, 0.4, 0.8}) {
+      const auto t_at = [&](double length) {
+        return kernel_of(BracketedNewton::info).solve(view(points), length, 1e-13).t;
+      };
+      const auto chord = formula.derivative(0, t_at(whole * part + step)) - formula.derivative(0, t_at(whole * part));
+      EXPECT_NEAR(chord.norm() / step, 1, 1e-5);
+      EXPECT_GT(std::abs(formula.derivative(1, t_at(whole * part)).norm() - 1), 0.01);
+    }
+  }
+}
+
 /// Equal chords are not equal arcs. At half the length of a parabola the error falls by 4 when the number of chords is
 /// doubled.
 TEST(ChordEqualising, IsBiasedBySecondOrder) {

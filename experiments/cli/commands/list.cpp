@@ -16,6 +16,7 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/commands/kinds.hpp"
+#include "experiments/cli/commands/worked.hpp"
 #include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/cli/startup/vocabulary.hpp"
 #include "experiments/cli/terminal/wrapped.hpp"
@@ -114,7 +115,8 @@ void add_kinds(Command list) {
 
 void add_list(Command program, Exit& /*exit*/, std::span<const external::OwnMethod> own) {
   auto format = std::make_shared<std::string>("text");
-  auto list = program.command("list", "list methods, suites, studies, kinds of studies, generators");
+  auto list =
+      program.command("list", "list methods, suites, studies, kinds of studies, generators, worked conversions");
   list.needs_command();
   const auto methods = [own] {
     std::vector<suite::ExternalMethod> records;
@@ -127,6 +129,7 @@ void add_list(Command program, Exit& /*exit*/, std::span<const external::OwnMeth
   add_topic(list, "studies", "the studies of the shipped suites", studies_csv, format);
   add_kinds(list);
   add_topic(list, "generators", "how random inputs are drawn", generators_csv, format);
+  add_topic(list, "worked", "the worked conversions of the source report, judged", worked_csv, format);
 }
 
 }  // namespace bezierbench::cli

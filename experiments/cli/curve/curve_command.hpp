@@ -228,7 +228,7 @@ auto cases_of(std::span<const CurveFile> curves, const std::string& name, const 
 /// The command that adds rows for every curve of a file. `Task` has `problem`, `columns()` or `columns(dimension)`, and
 /// `kernels(dimension)`, and holds the values of its own options. It may have `prepare(whole_path)`, which checks them,
 /// `questions()`, how many there are for each curve, the option `truth`, `path_columns(dimension)` with `add_path_rows()`,
-/// which answers for a whole path, and the flag `control_points` with `add_to_set()`, which adds curves in place of rows.
+/// which answers for a whole path, and the flag `control_points` with `control_points_help` and `add_to_set()`, which adds curves in place of rows.
 /// Curves that no method takes are left out, unless they are all.
 template <class Task>
 void add_curve_command(Command command) {
@@ -245,9 +245,7 @@ void add_curve_command(Command command) {
   options->task.add_to(command);
   add_method_option(command, Task::problem, options->methods);
   if constexpr (requires(Task task) { task.truth; }) options->task.truth.add_to(command);
-  if constexpr (has_set)
-    command.flag("--control-points", options->task.control_points,
-                 "print the control points that the first method computes, as a set of curves");
+  if constexpr (has_set) command.flag("--control-points", options->task.control_points, Task::control_points_help);
   if constexpr (has_paths)
     command.flag("--whole-path", options->whole_path, "take segments that are joined as one path");
   command.action([options] {

@@ -152,6 +152,19 @@ class Curves(Case):
                 self.assertEqual(repr(float(row[column])), repr(float(row[column]) + 0.0))
         self.assertEqual([float(row["value"]) for row in found[2:4]], [1.25, 1.25])
 
+    def test_control_points_of_hodographs(self):
+        """Example 6.2 of document 000, as printed there: (6,0) (3,3) (6,3), then (-6,6) (6,0)."""
+        self.write("e.csv", "x,y\n1,1\n3,1\n4,2\n6,3\n")
+        hodograph = ["curve", "derivative", "--curve", "e.csv", "--order"]
+        for order, points in ((1, [("6", "0"), ("3", "3"), ("6", "3")]), (2, [("-6", "6"), ("6", "0")]), (4, [("0", "0")])):
+            found = self.fine(*hodograph, str(order), "--control-points")
+            self.assertEqual([(row["x"], row["y"]) for row in rows(found)], points)
+        self.write("h.csv", self.fine(*hodograph, "1", "--control-points"))
+        tangent = rows(self.fine("curve", "eval", "--curve", "h.csv", "--t", "0.5", "--method", "de_casteljau"))
+        self.assertEqual([row["value"] for row in tangent], ["4.5", "2.25"])
+        self.refused(USAGE, hodograph + ["1"], "--t is required")
+        self.refused(USAGE, hodograph + ["1", "--control-points", "--t", "0"], "takes no --t")
+
     def test_derivative(self):
         self.write("w.csv", "x,y\n1,1\n3,1\n4,2\n6,3\n")
         found = rows(self.fine("curve", "derivative", "--curve", "w.csv", "--order", "2", "--t", "0"))
@@ -237,7 +250,7 @@ class Curves(Case):
         length = ["curve", "length", "--curve", "cusp.csv"]
         found = rows(self.fine(*length, "--tolerance", "1e-6"))
         self.assertEqual(list(found[0]), columns)
-        self.assertEqual([row["converged"] for row in found], ["yes", "no", "yes", "yes"])
+        self.assertEqual([row["converged"] for row in found], ["yes", "no", "yes", "yes", "no", "no"])
         for row in found:
             if row["converged"] == "yes":
                 self.assertLessEqual(float(row["error"]), float(row["error_estimate"]))
@@ -312,6 +325,8 @@ class Curves(Case):
                        "12.964844,0 12.964844,0 11.996094,1 11.996094,2", "0,0 3,0 3,4 0,4"):
             self.write("own.csv", "x,y\n" + points.replace(" ", "\n") + "\n")
             for printed in rows(self.fine("curve", "length", "--curve", "own.csv")):
+                if float(printed["error"]) > 1e-9 * float(printed["exact"]):
+                    continue  # it may be longer than the curve
                 for row in rows(self.fine("curve", "at-length", "--curve", "own.csv", "--length", printed["length"])):
                     if printed["converged"] == row["converged"] == "yes":
                         self.assertLessEqual(float(row["length_error"]), 1e-9 * float(printed["exact"]), (points, row))
@@ -394,7 +409,7 @@ class Curves(Case):
                 self.refused(USAGE, project + arguments, *needles)
         self.write("c.csv", "x,y,z\n8,5,1\n-4,0,2\n")
         self.refused(USAGE, project + ["--point", "1,2,3", "--method", "quintic_seed_002"], "quintic_seed_002", "degree 1")
-        self.assertEqual(len(rows(self.fine(*project, "--point", "1,2,-3"))), 5)
+        self.assertEqual(len(rows(self.fine(*project, "--point", "1,2,-3"))), 10)
         self.write("c.csv", "x,y,w\n8,5,1\n-4,0,2\n")
         self.refused(USAGE, project + ["--point", "1,2"], "rational", "column w")
         self.refused(INPUT_OUTPUT, ["curve", "project", "--curve", "absent.csv", "--point", "1,2"], "absent.csv")

@@ -14,6 +14,8 @@ using studies::Side;
 
 struct Split {
   static constexpr Problem problem = Problem::subdivision;
+  static constexpr const char* control_points_help =
+      "print the control points that the first method computes, as a set of curves";
   static std::vector<std::string> columns() {
     auto columns = judged_columns({"method", "half", "index"});
     std::erase(columns, "error_ulp");

@@ -59,7 +59,7 @@ suite::Study small_arc_length_study() { return small_length_study("arc_length", 
 TEST(ArcLengthStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
   const auto tables = run::expect_order_changes_nothing(make_job, small_arc_length_study());
   const auto csv = bundle::parse_csv(tables.at("arc_length.csv"), "arc_length.csv");
-  ASSERT_EQ(csv.row_count(), 2U * 2 * 2 * 4);
+  ASSERT_EQ(csv.row_count(), 2U * 2 * 2 * 6);
   EXPECT_EQ(make_job(small_arc_length_study(), {1})->extent().rows, csv.row_count());
   for (std::size_t row = 0; row < csv.row_count(); ++row) expect_kept(csv, row);
 }

@@ -48,11 +48,14 @@ TEST(InterpolationStudy, HasARowForEachNumberOfPoints) {
 
 TEST(InterpolationStudy, TellsMethodsApart) {
   const auto csv = interpolation_rows_of(interpolation_study_of({}));
-  ASSERT_EQ(csv.row_count(), 8U);
-  EXPECT_EQ(csv.at(2, "method"), "c2_natural");
-  EXPECT_EQ(csv.at(3, "method"), "c2_natural_handles");
-  EXPECT_LT(run::number_at(csv, 2, "mean_c2_u"), run::number_at(csv, 3, "mean_c2_u"));
-  EXPECT_EQ(csv.at(3, "bound_violations"), "");
+  ASSERT_EQ(csv.row_count(), 12U);
+  EXPECT_EQ(csv.at(3, "method"), "c2_natural");
+  EXPECT_EQ(csv.at(4, "method"), "c2_natural_handles");
+  EXPECT_EQ(csv.at(5, "method"), "seed_003");
+  EXPECT_LT(run::number_at(csv, 3, "mean_c2_u"), run::number_at(csv, 4, "mean_c2_u"));
+  EXPECT_EQ(csv.at(4, "bound_violations"), "");
+  EXPECT_GT(run::number_at(csv, 5, "mean_c1_u"), 0x1p+40) << "kinks of the size of the points";
+  EXPECT_EQ(csv.at(5, "bound_violations"), "");
 }
 
 /// There the bound is hardly more than its underflow term, which residuals attain in part, and is printed with it.
