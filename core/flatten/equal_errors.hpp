@@ -5,12 +5,13 @@
 //   Wang's count and at least 4, are measured; sqrt(e/E) is the number of chords that a step takes, since e grows with
 //   the square of a small step. Their sum, rounded up, is the number of chords, and each gets an equal share, with the
 //   steps' numbers spread evenly over them. These chords are measured, and if one is too far, they are the steps of
-//   another round; after 4 rounds chords that are too far are halved.
-// Source: derived here. e: the distance from a segment is convex, so that the point at t is at most
-//   3 t (1-t) ((1-t) d_1 + t d_2) away, a convex function of d_1 and d_2 whose maximum over t is 3/4 d where both are d
-//   and 4/9 d where one is 0; between these it is below their mean. On different sides the two parts cancel.
+//   another round; after 8 rounds chords that are too far are halved.
+// Source: the inner control points are those of [Farin 2002], cubic Hermite interpolation; the rest is derived here.
+//   The distance from a segment is convex, so that the point at t is at most 3 t (1-t) ((1-t) d_1 + t d_2) away, a
+//   convex function of d_1 and d_2 whose maximum over t is 3/4 d where both are d and 4/9 d where one is 0; between
+//   these it is below their mean. On different sides the two parts cancel.
 // Cost: about 30 d flops, 2 square roots and a division for each chord and round, mostly 2 rounds.
-// Bound: the tolerance, where it is above 2^-44 of the largest coordinate. Chords are measured against
+// Bound: the tolerance, where it is above 2^-44 of the largest coordinate and 2^-1040. Chords are measured against
 //   E (1 - 2^-20) - 2^-45 max|b|: the power form that is evaluated, and what is made of it, are off by less than
 //   2^-46 max|b|, by fewer than 60 roundings of numbers below 12 max|b|. Reversed curves have the same points: of both
 //   directions, the one whose control points come first in lexicographic order is flattened.
@@ -20,7 +21,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/flatten/wang_count.hpp"
+#include "core/flatten/flattening.hpp"
 
 namespace bezierbench {
 
@@ -34,7 +35,7 @@ struct EqualErrors {
                                    .max_degree = 3,
                                    .promise = "the tolerance, and the same points for the reversed curve",
                                    .flops = "30d",
-                                   .citation = "derived here"};
+                                   .citation = "[Farin 2002], cubic Hermite interpolation; method derived here"};
 
   template <int Dimension, int Degree>
   static void flatten(const Curve<Form::bernstein, double, Dimension, Degree>& curve, double tolerance,
@@ -43,7 +44,7 @@ struct EqualErrors {
     const double order = order_of_ends(curve);
     Run<Dimension> run(curve, order > 0, tolerance, chords);
     run.add_end(0, run.first);
-    const double wanted = n < 2 ? 1 : 0.5 * wang_count(curve, run.limit);
+    const double wanted = 0.5 * run.wang_count();
     const int parts = static_cast<int>(std::min(wanted / (most_steps / 2) + 1, 1024.0));
     const int steps = static_cast<int>(std::clamp(std::ceil(wanted / parts), 4.0, most_steps / 2.0));
     const double whole = order == 0 && n > 1 ? 0.5 : 1;  // a curve that is its own reverse returns on its first half
@@ -92,22 +93,35 @@ struct EqualErrors {
       P point;
       P derivative;
     };
+    struct Measure {
+      double square;  ///< of e over the limit
+      bool inside;    ///< whether the feet of the inner control points are on the chord
+
+      /// How many chords the step takes. A step that turns back takes few, but where it turns.
+      [[nodiscard]] double chords() const {
+        const double count = std::sqrt(std::sqrt(square));
+        return inside ? count : std::min(count, 2.0);
+      }
+    };
 
     template <int Degree>
     Run(const Curve<Form::bernstein, double, Dimension, Degree>& curve, bool is_reversed, double tolerance,
         Flattening& result)
         : reversed(is_reversed), chords(result) {
       const int n = curve.degree();
-      const auto b = [&](int i) { return control_point(curve, reversed ? n - i : i); };
-      first = b(0);
-      last = b(n);
       double largest = 0;
       for (int i = 0; i <= n; ++i)
         for (int axis = 0; axis < Dimension; ++axis) largest = std::max(largest, std::abs(curve(axis, i)));
-      limit = tolerance * (1 - 0x1p-20) - 0x1p-45 * largest;
-      if (!(limit >= 0.5 * tolerance)) {
+      const int exponent = largest > 0 ? std::clamp(std::ilogb(largest), -1021, 1021) : 0;
+      unit = std::ldexp(1, exponent);
+      const double scale = std::ldexp(1, -exponent);
+      const auto b = [&](int i) { return P(scale * control_point(curve, reversed ? n - i : i)); };
+      first = b(0);
+      last = b(n);
+      limit = scale * tolerance * (1 - 0x1p-20) - 0x1p-45 * scale * largest;
+      if (!(limit >= 0.5 * scale * tolerance) || tolerance < 0x1p-1040) {
         chords.complete = false;
-        limit = 0.5 * tolerance;
+        limit = 0.5 * scale * tolerance;
       }
       const P zero = P::Zero();
       if (n == 3)
@@ -118,7 +132,13 @@ struct EqualErrors {
         powers = {b(0), b(1) - b(0), zero, zero};
     }
 
-    void add_end(double t, const P& point) { chords.add(t, point); }
+    void add_end(double t, const P& point) { chords.add(t, P(unit * point)); }
+
+    /// C'' is largest at an end.
+    double wang_count() const {
+      const double second = std::max((2 * powers[2]).norm(), (2 * powers[2] + 6 * powers[3]).norm());
+      return std::sqrt(0.125 * second / limit);
+    }
 
     End end_at(double t) const {
       if (t == 1) return {t, last, powers[1] + 2 * powers[2] + 3 * powers[3]};
@@ -126,8 +146,8 @@ struct EqualErrors {
               powers[1] + t * (2 * powers[2] + 3 * t * powers[3])};
     }
 
-    /// The square of e over the limit.
-    double squared_error(const End& from, const End& to) const {
+    /// The error of a chord.
+    Measure measured(const End& from, const End& to) const {
       const double third = (to.t - from.t) * (1.0 / 3);
       const P chord = to.point - from.point;
       const P one = third * from.derivative;
@@ -144,23 +164,23 @@ struct EqualErrors {
           const double more = std::max(std::abs(d1), std::abs(d2));
           const double less = d1 * d2 < 0 ? 0 : std::min(std::abs(d1), std::abs(d2));
           const double e = (16 * more + 11 * less) * (1.0 / 36);
-          return e * e / (squared_length * limit * limit);
+          return {e * e / (squared_length * limit * limit), true};
         }
       }
       const P zero = P::Zero();
       const double s1 = squared_distance_to_segment<Dimension>(one, zero, chord);
       const double s2 = squared_distance_to_segment<Dimension>(other, zero, chord);
       const double e = (16 * std::sqrt(std::max(s1, s2)) + 11 * std::sqrt(std::min(s1, s2))) * (1.0 / 36);
-      return e * e / (limit * limit);
+      return {e * e / (limit * limit), inside};
     }
 
     void flatten_part(double from, double to, int steps, int degree) {
       std::array<End, most_steps + 1> ends;
-      std::array<double, most_steps + 1> share;  ///< sums of sqrt(e / limit) over the steps before
+      std::array<double, most_steps + 1> share;  ///< chords of the steps before
       ends[0] = end_at(from);
       if (from == 0) ends[0].point = first;
       const End last_end = end_at(to);
-      const double whole = degree < 2 ? 0 : squared_error(ends[0], last_end);
+      const double whole = degree < 2 ? 0 : measured(ends[0], last_end).square;
       if (whole <= 1) {
         chords.evaluations += 2;
         add_end(last_end.t, last_end.point);
@@ -174,9 +194,9 @@ struct EqualErrors {
         share[0] = 0;
         double largest = 0;
         for (int k = 0; k < count; ++k) {
-          const double square = squared_error(ends[at(k)], ends[at(k + 1)]);
-          largest = std::max(largest, square);
-          share[at(k + 1)] = share[at(k)] + std::sqrt(std::sqrt(square));
+          const auto measure = measured(ends[at(k)], ends[at(k + 1)]);
+          largest = std::max(largest, measure.square);
+          share[at(k + 1)] = share[at(k)] + measure.chords();
         }
         if (round > 0 && largest <= 1) {
           for (int k = 1; k <= count; ++k) add_end(ends[at(k)].t, ends[at(k)].point);
@@ -205,9 +225,9 @@ struct EqualErrors {
     /// Adds the chord, or halves that are near enough.
     void add_halved(const End& from, const End& to, int depth) {
       const double middle = 0.5 * (from.t + to.t);
-      if (squared_error(from, to) <= 1 || depth == deepest || static_cast<int>(chords.t.size()) >= max_chords ||
+      if (measured(from, to).square <= 1 || depth == deepest || static_cast<int>(chords.t.size()) >= max_chords ||
           !(from.t < middle && middle < to.t)) {
-        chords.complete = chords.complete && squared_error(from, to) <= 1;
+        chords.complete = chords.complete && measured(from, to).square <= 1;
         if (to.t > chords.t.back()) add_end(to.t, to.point);
         return;
       }
@@ -217,7 +237,7 @@ struct EqualErrors {
       add_halved(half, to, depth + 1);
     }
 
-    static constexpr int most_rounds = 4;
+    static constexpr int most_rounds = 8;
     static constexpr double spare = 1.01;
     static std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
@@ -226,7 +246,8 @@ struct EqualErrors {
     P first;
     P last;
     std::array<P, 4> powers;
-    double limit;
+    double unit;   ///< what the curve is measured in: a power of two
+    double limit;  ///< of measured errors
   };
 };
 

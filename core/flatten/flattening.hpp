@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The concept of a method for flattening: `info`, and a function from a curve and a tolerance to chords. The piece of the
-// curve between the parameters of a chord's ends is promised, or hoped, to be within the tolerance of the chord.
+// The concept of a method for flattening: `info`, and a function from a curve and a tolerance to chords. The piece of
+// the curve between the parameters of a chord's ends is promised, or hoped, to be within the tolerance of the chord.
 #pragma once
 
 #include <cmath>
@@ -35,8 +35,8 @@ struct Flattening {
   }
 };
 
-/// `flatten(curve, tolerance, chords)` appends the ends of all chords to `chords`, which is empty; the first and the last
-/// are the curve's. The tolerance is above 0.
+/// `flatten(curve, tolerance, chords)` appends the ends of all chords to `chords`, which is empty; the first and the
+/// last are the curve's. The tolerance is above 0.
 template <class M>
 concept FlattenMethod = requires(const Curve<Form::bernstein, double, 2>& curve, double tolerance, Flattening& chords) {
   requires M::info.problem == Problem::flattening;

@@ -7,8 +7,8 @@
 // Source: distance: [Lane and Riesenfeld 1980]. area: NanoVG, nvg__tesselateBezier. angle: [Shemanarev 2005], its
 //   curve4_div. length: stb_truetype, stbtt__tesselate_cubic.
 // Cost: 3 d n(n+1)/2 flops for each halving.
-// Bound: distance keeps the tolerance, apart from roundings. The others look at lines, not at chords: a curve that turns
-//   back along its chord is flat to them.
+// Bound: distance keeps the tolerance, apart from roundings. The others look at lines, not at chords: a curve that
+//   turns back along its chord is flat to them.
 // Fails: parts are halves, quarters, ...: up to twice as many chords as required. Depths end at 16.
 #pragma once
 

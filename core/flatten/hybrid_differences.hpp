@@ -2,8 +2,8 @@
 // Formula: a piece of a cubic in the basis e_0 = p_0, e_1 = p_3 - p_0, e_2 = 6 (p_1 - 2 p_2 + p_3),
 //   e_3 = 6 (p_0 - 2 p_1 + p_2), the second derivatives at its end and start. Halving: e_3 /= 4, e_2 = (e_2 + e_3') / 2
 //   with e_2 / 4 in it, e_1 = (e_1 - e_2) / 2. Doubling is its inverse, a step e_0 += e_1, e_1 += e_2, and e_2, e_3 by
-//   linear extrapolation. A step is halved while max(|e_2|, |e_3|) > 6 E on an axis, and doubled, where it starts on the
-//   coarser grid, while max(|e_3|, |2 e_2 - e_3|) <= 6 E / 4.
+//   linear extrapolation. A step is halved while max(|e_2|, |e_3|) > 6 E on an axis, and doubled, where it starts on
+//   the coarser grid, while max(|e_3|, |2 e_2 - e_3|) <= 6 E / 4.
 // Source: [Goossen and Olynyk 1995], hybrid forward differencing, as in the class CBezierFlattener of WPF; it adapts
 //   [Lien et al. 1987].
 // Cost: 6 d additions per point, halvings and doublings included.

@@ -8,9 +8,11 @@
 namespace bezierbench {
 namespace {
 
-template <FlattenMethod M, int Degree, int Dimension>
+/// Degrees that the method does not take have no code of their own.
+template <FlattenMethod M, int Fixed, int Dimension>
 void flatten_degree(const CurveView<double>& view, double tolerance, Flattening& chords) {
-  Curve<Form::bernstein, double, Dimension, Degree> curve(view.degree);
+  constexpr int degree = Fixed == dynamic || M::info.template supports<double>(Fixed) ? Fixed : dynamic;
+  Curve<Form::bernstein, double, Dimension, degree> curve(view.degree);
   for (int i = 0; i <= view.degree; ++i)
     for (int axis = 0; axis < Dimension; ++axis) curve(axis, i) = view(axis, i);
   M::flatten(curve, tolerance, chords);

@@ -3,8 +3,8 @@
 //   f(x) = x / (1 - a + (a^4 + x^2/4)^(1/4)), a = 0.67, nearly the integral of (1 + 4x^2)^(-1/4), have nearly equal
 //   errors: it takes |f(x_2) - f(x_0)| sqrt(s / E) / 2 chords, and x from f by f (1 - b + sqrt(b^2 + f^2/4)), b = 0.39.
 //   Where the vertex is between x_0 and x_2, s is limited by E. A cubic is first cut into equal quadratics within E/10,
-//   (|b_3 - 3 b_2 + 3 b_1 - b_0|^2 / (432 (E/10)^2))^(1/6) of them; their chords, within 0.9 E, are counted together and
-//   spread over all of them.
+//   (|b_3 - 3 b_2 + 3 b_1 - b_0|^2 / (432 (E/10)^2))^(1/6) of them; their chords, within 0.9 E, are counted together
+//   and spread over all of them.
 // Source: [Levien 2019], and `flatten` of the library kurbo for cubics.
 // Cost: a few square roots per chord.
 // Bound: none: f and its inverse are approximations, and the number of chords is that of the limit E -> 0.

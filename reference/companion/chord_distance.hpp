@@ -3,10 +3,10 @@
 // tolerance, decided by exact arithmetic where the enclosure does not decide.
 //
 // The one-sided distance is the largest distance of a point of the piece from the chord, a segment. The Hausdorff
-// distance also counts the points of the chord. It is at most the larger one of the one-sided distance and the distances
-// of the chord's ends from those of the piece: between the feet of its ends, every point of the chord is the foot of a
-// point of the piece, by continuity, and one outside is no farther from the end of the piece than its own end.
-// So the enclosure [low, high] has the one-sided distance from below and the Hausdorff distance from above.
+// distance also counts the points of the chord. It is at most the larger one of the one-sided distance and the
+// distances of the chord's ends from those of the piece: between the feet of its ends, every point of the chord is the
+// foot of a point of the piece, by continuity, and one outside is no farther from the end of the piece than its own
+// end. So the enclosure [low, high] has the one-sided distance from below and the Hausdorff distance from above.
 #pragma once
 
 #include <array>
@@ -36,8 +36,8 @@ struct ChordJudgement {
 };
 
 /// Points and pieces of a curve, times a power of two that brings its largest coordinate into [1/2, 1). Every computed
-/// number is off by at most `slack`: n levels of three roundings for a blossom, 30 halvings of n levels of one rounding,
-/// and at most 60 roundings for a distance, all of numbers below 4, on each axis.
+/// number is off by at most `slack`: n levels of three roundings for a blossom, 30 halvings of n levels of one
+/// rounding, and at most 60 roundings for a distance, all of numbers below 4, on each axis.
 class ScaledCurve {
  public:
   using Vector = std::array<double, 3>;

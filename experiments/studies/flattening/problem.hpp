@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A random curve flattened to a tolerance, which is relative to its size: every chord against its piece of the curve. An
-// answer is right if no piece is certainly farther from its chord than the tolerance.
+// A random curve flattened to a tolerance, which is relative to its size: every chord against its piece of the curve.
+// An answer is right if no piece is certainly farther from its chord than the tolerance.
 #pragma once
 
 #include <array>
