@@ -35,7 +35,7 @@ struct EqualErrors {
                                    .max_degree = 3,
                                    .promise = "the tolerance, and the same points for the reversed curve",
                                    .flops = "30d",
-                                   .citation = "[Farin 2002], cubic Hermite interpolation; method derived here"};
+                                   .citation = "[Farin 2002], cubic Hermite interpolation; bound derived here"};
 
   template <int Dimension, int Degree>
   static void flatten(const Curve<Form::bernstein, double, Dimension, Degree>& curve, double tolerance,
@@ -121,7 +121,7 @@ struct EqualErrors {
       limit = scale * tolerance * (1 - 0x1p-20) - 0x1p-45 * scale * largest;
       if (!(limit >= 0.5 * scale * tolerance) || tolerance < 0x1p-1040) {
         chords.complete = false;
-        limit = 0.5 * scale * tolerance;
+        limit = std::max(0.5 * scale * tolerance, 0x1p-44 * scale * largest);
       }
       const P zero = P::Zero();
       if (n == 3)

@@ -4,8 +4,8 @@
 //   area: the areas of the triangles between the chord and each control point sum to at most E/2 times the chord.
 //   angle: as area; then also the angles of the control polygon with itself turn by less than 15 degrees.
 //   length: (polygon)^2 - (chord)^2 <= E^2.
-// Source: distance: [Lane and Riesenfeld 1980]. area: NanoVG, nvg__tesselateBezier. angle: [Shemanarev 2005], its
-//   curve4_div. length: stb_truetype, stbtt__tesselate_cubic.
+// Source: distance: [Lane and Riesenfeld 1980]. area: [Mononen 2013], nvg__tesselateBezier. angle: [Shemanarev 2005],
+//   its curve4_div. length: [Barrett 2009], stbtt__tesselate_cubic.
 // Cost: 3 d n(n+1)/2 flops for each halving.
 // Bound: distance keeps the tolerance, apart from roundings. The others look at lines, not at chords: a curve that
 //   turns back along its chord is flat to them.
@@ -75,7 +75,7 @@ struct AreaCriterion {
   static constexpr std::string_view id = "halving_area";
   static constexpr std::string_view label = "Halving by the area beside the chord";
   static constexpr std::string_view promise = {};
-  static constexpr std::string_view citation = "[NanoVG]";
+  static constexpr std::string_view citation = "[Mononen 2013]";
 
   template <int Dimension, int Degree>
   static bool is_flat(const Curve<Form::bernstein, double, Dimension, Degree>& piece, double tolerance) {
@@ -117,7 +117,7 @@ struct LengthCriterion {
   static constexpr std::string_view id = "halving_length";
   static constexpr std::string_view label = "Halving by the length of the control polygon";
   static constexpr std::string_view promise = {};
-  static constexpr std::string_view citation = "[stb_truetype]";
+  static constexpr std::string_view citation = "[Barrett 2009]";
 
   template <int Dimension, int Degree>
   static bool is_flat(const Curve<Form::bernstein, double, Dimension, Degree>& piece, double tolerance) {

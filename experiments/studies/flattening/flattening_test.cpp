@@ -43,7 +43,9 @@ TEST(FlatteningStudy, CountsNoFewerChordsThanTheLeastWhereTheToleranceIsKept) {
     if (broken) continue;
     EXPECT_GE(run::number_at(csv, row, "mean_chords"), run::number_at(csv, row, "least_low"));
     ++kept;
-    if (csv.at(row, "method") == "equal_errors") EXPECT_EQ(csv.at(row, "reversed_apart"), "0");
+    if (csv.at(row, "method") == "equal_errors") {
+      EXPECT_EQ(csv.at(row, "reversed_apart"), "0");
+    }
   }
   EXPECT_GT(kept, 20);
 }
