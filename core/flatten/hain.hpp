@@ -6,7 +6,7 @@
 // Cost: a split, 6 d n flops, and a square root per chord.
 // Bound: none: the third-order term of a step is neglected.
 // Fails: at wide tolerances, and near inflections that the ranges do not cover; a curve that starts along b_2 - b_0
-//   there takes one chord to its end ([lyon 2020]). In space no inflection is sought.
+//   there takes one chord to its end ([Lyon 2020]). In space no inflection is sought.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Hain {
                                    .min_degree = 3,
                                    .max_degree = 3,
                                    .flops = "18d",
-                                   .citation = "[Hain et al. 2005]; [lyon 2020]"};
+                                   .citation = "[Hain et al. 2005]"};
 
   template <int Dimension, int Degree>
   static void flatten(const Curve<Form::bernstein, double, Dimension, Degree>& curve, double tolerance,

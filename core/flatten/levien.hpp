@@ -8,7 +8,7 @@
 // Source: [Levien 2019], and `flatten` of the library kurbo for cubics.
 // Cost: a few square roots per chord.
 // Bound: none: f and its inverse are approximations, and the number of chords is that of the limit E -> 0.
-// Fails: a curve that turns back on a line has no parabola: it becomes one chord ([kurbo 2025]). Points of cubics are
+// Fails: a curve that turns back on a line has no parabola: it becomes one chord ([Kurbo 2025]). Points of cubics are
 //   those of the quadratics.
 #pragma once
 
@@ -27,7 +27,7 @@ struct Levien {
                                    .min_degree = 2,
                                    .max_degree = 3,
                                    .flops = "12d",
-                                   .citation = "[Levien 2019]; [kurbo 2025]"};
+                                   .citation = "[Levien 2019]"};
 
   template <int Dimension, int Degree>
   static void flatten(const Curve<Form::bernstein, double, Dimension, Degree>& curve, double tolerance,
