@@ -5,7 +5,7 @@
 // The one-sided distance is the largest distance of a point of the piece from the chord, a segment. The Hausdorff
 // distance also counts the points of the chord. It is at most the larger one of the one-sided distance and the
 // distances of the chord's ends from those of the piece: between the feet of its ends, every point of the chord is the
-// foot of a point of the piece, by continuity, and one outside is no farther from the end of the piece than its own
+// foot of a point of the piece, by continuity, and one outside is not farther from the end of the piece than its own
 // end. So the enclosure [low, high] has the one-sided distance from below and the Hausdorff distance from above.
 #pragma once
 
