@@ -85,7 +85,7 @@ TEST(LeastChords, OfLinesAndSpikes) {
   expect_exactly(least({0, 0, 2, 0, 0, 0}, 0.9), 2);
 }
 
-/// y = x^2 over [-1/2^k, 1/2^k] is nearly (x, 0): the distance of a chord of width w is w^2/4, of any place, but for
+/// y = x^2 over [-1/2^k, 1/2^k] is nearly (x, 0): the distance of a chord of width w is w^2/4, of any place, except for
 /// the slope, below 2^(1-k). So a width of 2 r takes r/sqrt(E) chords.
 TEST(LeastChords, OfAFlatParabolaAreItsWidthOverThatOfAChord) {
   const double r = 0x1p-10;
