@@ -147,6 +147,7 @@ FLIPS = {
     "subdivision_halves": _set("junctions_apart", 1, "subdivision.csv", method="lerp_split", degree=4),
     "grid_growth": _set("mean_error_u", 0.5, "grid.csv", method="forward_differencing", points=257),
     "bspline_recurrence": _set("max_control_error_u", 1e6, "bspline.csv", method="chudy_wozny_span"),
+    "flattening_kept": _set("broken", 1, "flattening.csv", method="wang_count", tolerance=1e-2),
     "subdivision_best": _set("mean_error_u", 0.1, "subdivision.csv", method="lerp_split", degree=20),
     "sample_maximum": _scale("max_error", 0.5, generator="report", study=("2.3.1-bezier", "2.3.1-polynomial")),
 }

@@ -298,6 +298,35 @@ TEST(C, FilesOfCurvesAreRead) {
 }
 
 /// x = 2t + t^2, x' = 2 + 2t, x'' = 2.
+/// y = x^2 / 4 over [0, 3]: p(t) = (3 t, 9/4 t^2) has |C''| = 9/2, so that 2 chords keep a tolerance of 9/64.
+TEST(C, ChordsLeadFromEndToEnd) {
+  const std::vector<double> points{0, 0, 1.5, 0, 3, 2.25};
+  const bb_curve curve{BB_BERNSTEIN, 2, 2, points.data(), nullptr};
+  for (const auto& method : methods("flattening")) {
+    if (method.min_degree > 2) continue;
+    std::size_t ends = 0;
+    int complete = 0;
+    ASSERT_EQ(bb_flatten(method.id, &curve, 9.0 / 64, nullptr, nullptr, 0, &ends, &complete), BB_OK) << method.id;
+    ASSERT_GE(ends, 2U);
+    EXPECT_EQ(complete, 1);
+    std::vector<double> t(ends);
+    std::vector<double> out(2 * ends);
+    ASSERT_EQ(bb_flatten(method.id, &curve, 9.0 / 64, t.data(), out.data(), ends, &ends, &complete), BB_OK);
+    EXPECT_EQ(std::vector<double>(out.begin(), out.begin() + 2), (std::vector<double>{0, 0})) << method.id;
+    EXPECT_EQ(std::vector<double>(out.end() - 2, out.end()), (std::vector<double>{3, 2.25})) << method.id;
+    if (std::string(method.id) == "wang_count") {
+      EXPECT_EQ(t, (std::vector<double>{0, 0.5, 1}));
+    }
+  }
+  std::size_t ends = 7;
+  int complete = 7;
+  EXPECT_EQ(bb_flatten("wang_count", &curve, 0, nullptr, nullptr, 0, &ends, &complete), BB_ERROR_TOLERANCE);
+  EXPECT_EQ(bb_flatten("wang_count", &rational, 1, nullptr, nullptr, 0, &ends, &complete), BB_ERROR_FORM);
+  EXPECT_EQ(bb_flatten("wang_count", &curve, 1, nullptr, nullptr, 0, nullptr, &complete), BB_ERROR_NULL);
+  EXPECT_EQ(bb_flatten("wang_count", &curve, 1, nullptr, nullptr, 9, &ends, &complete), BB_ERROR_NULL);
+  EXPECT_EQ(bb_flatten("hain", &curve, 1, nullptr, nullptr, 0, &ends, &complete), BB_ERROR_DEGREE);
+}
+
 TEST(C, DerivativesAndGridsAreThoseOfTheCurve) {
   for (const auto& method : methods("derivative")) {
     if (method.form != BB_BERNSTEIN || std::string(method.id) == "seed_000")

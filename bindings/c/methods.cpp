@@ -10,6 +10,7 @@
 #include "core/derivative/kernel.hpp"
 #include "core/evaluate/kernel/kernel.hpp"
 #include "core/fit/kernel.hpp"
+#include "core/flatten/kernel.hpp"
 #include "core/grid/kernel.hpp"
 #include "core/project/kernel.hpp"
 #include "core/subdivide/kernel.hpp"
@@ -33,6 +34,7 @@ class Methods {
     add_all(inverse_arc_length_kernels(1));
     add_all(projection_kernels(1));
     add_all(fitting_kernels(1));
+    add_all(flatten_kernels(1));
   }
 
   [[nodiscard]] const std::vector<bb_method>& entries() const { return entries_; }

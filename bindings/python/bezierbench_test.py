@@ -299,6 +299,22 @@ class Problems(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "direction"):
                 bezierbench.fit(arch, 0.1, end_direction=direction)
 
+    def test_chords(self):
+        """The parabola (0,0), (1,2), (2,0) with the apex (1, 1): two chords are 1/4 / sqrt(2) away."""
+        parabola = [[0, 0], [1, 2], [2, 0]]
+        for method in (None, "wang_count"):
+            chords = bezierbench.flatten(parabola, 0.25, method)
+            np.testing.assert_allclose(chords.t, [0, 0.5, 1], atol=1e-15)
+            np.testing.assert_allclose(chords.points, [[0, 0], [1, 1], [2, 0]], atol=1e-15)
+        self.assertGreater(len(bezierbench.flatten([[0, 0], [1, 2], [2, 0], [3, 1], [4, 4]], 1e-3).t), 10)
+        for call, message in ((lambda: bezierbench.flatten(parabola, 0), "tolerance"),
+                              (lambda: bezierbench.flatten(parabola, 0.1, "de_casteljau"), "method"),
+                              (lambda: bezierbench.flatten(parabola, 0.1, "hain"), "degree")):
+            with self.assertRaisesRegex(bezierbench.Error, message):
+                call()
+        with self.assertRaisesRegex(ValueError, "too fine"):
+            bezierbench.flatten(parabola, 1e-18)
+
     def test_interpolation(self):
         """What the keywords say; the test in C has the numbers."""
         self.assertEqual(bezierbench.interpolate([0, 1, 0, 1])[:, 3, 0].tolist(), [1, 0, 1])
@@ -317,11 +333,14 @@ class Problems(unittest.TestCase):
     def test_every_listed_method_is_there(self):
         problems = {method.problem for method in bezierbench.methods()}
         self.assertEqual(problems, {"evaluation", "derivative", "grid", "subdivision", "arc_length", "inverse_arc_length", "projection",
-                                    "fitting"})
+                                    "fitting", "flattening"})
         for method in bezierbench.methods("derivative", "bernstein"):
             bezierbench.derivative(CURVE, 0.5, 1, method.id)
         for method in bezierbench.methods("grid", "bernstein"):
             bezierbench.grid(CURVE, 5, method.id)
+        for method in bezierbench.methods("flattening"):
+            if method.min_degree <= 2 <= method.max_degree:
+                bezierbench.flatten(CURVE, 0.01, method.id)
         for method in bezierbench.methods("subdivision", "bernstein"):
             bezierbench.split(CURVE, 0.5, method.id)
         for method in bezierbench.methods("inverse_arc_length"):

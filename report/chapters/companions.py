@@ -234,3 +234,24 @@ companion(
     "curve. p~ is the sum of the magnitudes of these control points, times their weights in the result. A time is that of one point with "
     "all its preparation: a Bernstein form would serve any number of points of its span, which these times do not show.",
     more=_evaluators_on_spans)
+
+
+@tables_of("flattening")
+def _chords(bundle, study):
+    """Tolerances across, each set or generator by itself."""
+    rows = bundle["flattening.csv"].some(study=study, status="ok")
+    lines = [(label, over(column, combine, write), {}) for label, column, combine, write in (
+        ("chords over the least number, mean", "mean_over_least", max, general),
+        ("largest distance over the tolerance", "max_error_over_tolerance", max, general), ("tolerance broken", "broken", sum, large),
+        ("reversed curve with other points", "reversed_apart", sum, large), ("broken promises", "broken_promises", sum, large))]
+    for where, own in inputs.by_set(rows):
+        yield by_axis(own, "tolerance", study, f"Chords of curves of {_degrees(own)}{where} ({_trials(own)} trials per method, by tolerance)",
+                      "折线化", lines, values=sorted(distinct(own, "tolerance"), reverse=True), row_head="quantity")
+
+
+companion(
+    "flattening", "Curves as chords",
+    "The tolerance is relative to the size of a curve, the largest extent of its control points. A tolerance is broken where a point of the "
+    "curve is certainly farther from the chord of its piece; enclosures of the distance decide that, and integers where they do not. The "
+    "least number of chords has their ends on the curve: a lower bound is proved by a search over all starts and ends, and the ratio is to "
+    "that bound. A method may have fewer where it breaks the tolerance. Ratios are the largest mean over the inputs of a study.")

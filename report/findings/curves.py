@@ -395,3 +395,18 @@ def bspline_recurrence(bundle):
         f"The largest error of a control point is {general(worst['max_control_error_u'])} u p~, at degree {shortest(worst['degree'])} over "
         f"{worst['knots']} knots, where the proved bound of {provers} is {general(bounds[cell(worst)])}."
         + (f" The lowest degree with an error above such a bound is {shortest(min(r['degree'] for r in beyond))}." if beyond else ""), rows=[worst])
+
+
+@finding("flattening")
+def flattening_kept(bundle):
+    """Holds where no method breaks a tolerance."""
+    rows = bundle["flattening.csv"].of_suite("flattening").some(status="ok")
+    broken = [r for r in rows if r["broken"] > 0]
+    keepers = sorted(set(distinct(rows, "method")) - set(distinct(broken, "method")))
+    ratios = {m: max(r["mean_over_least"] for r in rows if r["method"] == m and r["study"] == "flattening-cubics") for m in keepers
+              if any(r["method"] == m and r["study"] == "flattening-cubics" for r in rows)}
+    detail = "Chords over the least number, the largest mean over tolerances, of random cubics by methods that kept all: " \
+        + "; ".join(f"{names([m])} {general(ratio)}" for m, ratio in sorted(ratios.items(), key=lambda item: item[1])) + "."
+    return verdict(not broken, "Every method keeps its tolerance on every curve.",
+                   f"{names(sorted(distinct(broken, 'method')))} break{'s' if len(distinct(broken, 'method')) == 1 else ''} the tolerance on some curves.",
+                   detail, rows=broken or rows)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Points of curves by any method, the true ones, and errors and bounds; derivatives, points of a grid, and halves."""
+"""Points of curves by any method, the true ones, and errors and bounds; derivatives, points of a grid, chords, and halves."""
 
 from __future__ import annotations
 
@@ -26,6 +26,13 @@ class Halves(NamedTuple):
     right: Array
     left_weights: Array | None
     right_weights: Array | None
+
+
+class Chords(NamedTuple):
+    """The ends of chords: parameters of shape (count,) and points of shape (count, dimension)."""
+
+    t: Array
+    points: Array
 
 
 class Errors(NamedTuple):
@@ -284,6 +291,23 @@ def grid(points: ArrayLike, count: int, method: str | None = None, *, form: str 
     out = np.empty((count, curve.dimension))
     check(library.bb_grid(_name(method, curve.form, _GRIDS), curve.pointer, steps, address(out)))
     return out
+
+
+def flatten(points: ArrayLike, tolerance: float, method: str | None = None) -> Chords:
+    """The curve as chords, none farther than `tolerance` > 0, in coordinate units, from its piece of the curve. Without a method
+    that is `equal_errors` up to degree 3, `halving_distance` above. Raises ValueError where the method says that it did not keep
+    the tolerance."""
+    _require_double(points, "curves are flattened in double")
+    curve = GivenCurve(points)
+    name = _name(method or ("equal_errors" if len(curve.points) <= 4 else "halving_distance"), "bernstein")
+    ends, complete = ctypes.c_size_t(), ctypes.c_int()
+    check(library.bb_flatten(name, curve.pointer, tolerance, None, None, 0, ctypes.byref(ends), ctypes.byref(complete)))
+    if not complete.value:
+        raise ValueError(f"the tolerance {tolerance} is too fine for the coordinates; give a larger one")
+    chords = Chords(np.empty(ends.value), np.empty((ends.value, curve.dimension)))
+    check(library.bb_flatten(name, curve.pointer, tolerance, address(chords.t), address(chords.points), ends.value,
+                             ctypes.byref(ends), ctypes.byref(complete)))
+    return chords
 
 
 def split(points: ArrayLike, t: float, method: str = "de_casteljau_split", *, weights: ArrayLike | None = None) -> Halves:

@@ -28,6 +28,22 @@ class Curves(Case):
                 self.write("c.csv", content)
                 self.refused(INPUT_OUTPUT, ["curve", "eval", "--curve", "c.csv", "--t", "0.5"], *needles)
 
+    def test_flatten(self):
+        """The parabola (0,0), (1,2), (2,0) is 1 from one chord; two chords are 1/4 / sqrt(2) away."""
+        self.write("p.csv", "x,y\n0,0\n1,2\n2,0\n")
+        found = {row["method"]: row for row in rows(self.fine("curve", "flatten", "--curve", "p.csv", "--tolerance", "0.25"))}
+        self.assertEqual({(row["least_low"], row["least_high"]) for row in found.values()}, {("2", "2")})
+        for method in ("equal_errors", "wang_count"):
+            self.assertEqual((found[method]["chords"], found[method]["kept"], found[method]["complete"]), ("2", "yes", "yes"), method)
+            self.assertAlmostEqual(float(found[method]["distance_high"]), 0.25 / math.sqrt(2), delta=1e-3)
+        self.write("turn.csv", "x,y\n0,10\n-10,10\n180,10\n60,10\n")  # linebender/kurbo#426
+        self.assertEqual([row["kept"] for row in rows(self.fine("curve", "flatten", "--curve", "turn.csv", "--tolerance", "0.25",
+                                                                "--method", "levien", "--method", "equal_errors"))], ["no", "yes"])
+        chords = self.fine("curve", "flatten", "--curve", "p.csv", "--tolerance", "0.25", "--method", "wang_count", "--control-points")
+        self.assertEqual(chords, "curve,index,x,y\n0,0,0,0\n0,1,1,1\n1,0,1,1\n1,1,2,0\n")
+        for tolerance in ("0", "-1", "nan", "x"):
+            self.refused(USAGE, ["curve", "flatten", "--curve", "p.csv", "--tolerance", tolerance], "--tolerance")
+
     def test_several_curves_in_a_file(self):
         """What `interpolate` and `fit` print is read; each curve has its rows, and FILE#ID names one."""
         self.write("p.csv", "x,y\n0,0\n3,4\n6,8\n")
@@ -35,7 +51,7 @@ class Curves(Case):
         found = rows(self.fine("curve", "length", "--curve", "s.csv", "--method", "gauss_legendre_24"))
         self.assertEqual([(row["curve"], row["exact"]) for row in found], [("0", "5"), ("1", "5")])
         commands = [["eval", "--t", "0.5"], ["derivative", "--t", "0.5", "--order", "1"], ["grid", "--points", "3"], ["length"],
-                    ["at-length", "--fraction", "0.5"], ["project", "--point", "1,1"], ["split", "--t", "0.5"]]
+                    ["at-length", "--fraction", "0.5"], ["project", "--point", "1,1"], ["split", "--t", "0.5"], ["flatten", "--tolerance", "0.1"]]
         self.write("s.csv", "curve,index,form,x,w\na,0,bernstein,1,\na,1,bernstein,2,\n7,0,power,0,\n7,1,power,0x1p1,\n7,2,power,4,\n"
                             '"b,",0,bernstein,1,\n"b,",1,bernstein,0,\nr,0,rational,1,1\nr,1,rational,3,3\n')
         for name, at_half in (("a", 1.5), ("7", 2), ("1", 2), ("2", 0.5), ("b,", 0.5), ("r", 2.5), ("3", 2.5)):

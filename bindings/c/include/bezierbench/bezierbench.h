@@ -90,7 +90,7 @@ typedef struct bb_method {
   const char* id;         /* for example "de_casteljau" */
   const char* label;      /* for people */
   const char* problem;    /* "evaluation", "derivative", "grid", "subdivision", "arc_length", "inverse_arc_length",
-                             "projection" or "fitting" */
+                             "projection", "fitting" or "flattening" */
   const char* bound;      /* the proved bound in words; empty where there is none */
   const char* flops;      /* per point, in the degree n and the dimension d */
   const char* citation;   /* the source of the method */
@@ -168,7 +168,7 @@ BB_API int bb_evaluate_curves(const char* method, const bb_batch* batch, const d
 BB_API int bb_evaluate_curves_float(const char* method, const bb_batch* batch, const float* points,
                                     const float* weights, const float* t, float* out);
 
-/* ---- Derivatives, points of a grid and halves of a curve ---- */
+/* ---- Derivatives, points of a grid, chords and halves of a curve ---- */
 
 /* The derivative of `order` >= 0 in t at t[0] to t[count - 1], `dimension` values each, of a curve that is not rational. */
 BB_API int bb_derivative(const char* method, const bb_curve* curve, int order, const double* t, size_t count,
@@ -176,6 +176,14 @@ BB_API int bb_derivative(const char* method, const bb_curve* curve, int order, c
 
 /* The steps + 1 points at t = k / steps of a curve that is not rational; `steps` is a power of two up to 524288. */
 BB_API int bb_grid(const char* method, const bb_curve* curve, int steps, double* out);
+
+/* The curve as chords, none of which is farther than `tolerance` > 0 from its piece of the curve, as far as the method
+ * promises. *ends becomes the number of their ends, one more than that of chords. Where this is at most `capacity`, the
+ * parameters of the ends are written to `t` and their points, of `dimension` values each, to `points`; otherwise nothing
+ * is, and both may be null for capacity 0. *complete becomes 0 where the method says that it did not keep the tolerance,
+ * for example because it is finer than the roundings of coordinates, otherwise 1. */
+BB_API int bb_flatten(const char* method, const bb_curve* curve, double tolerance, double* t, double* points,
+                      size_t capacity, size_t* ends, int* complete);
 
 /* Where the control points of a half are written: (degree + 1) * dimension values, not premultiplied, and degree + 1
  * weights for BB_RATIONAL, otherwise null. */

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// Every method for flattening: what all of them share, what some promise, and curves of public threads.
+#include "core/flatten/roster.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "core/evaluate/evaluation_test.hpp"
+#include "core/flatten/kernel.hpp"
+#include "reference/companion/chord_distance.hpp"
+
+namespace bezierbench {
+namespace {
+
+using reference::Kept;
+
+Flattening flattened(const FlattenKernel& kernel, const CurveView<double>& curve, double tolerance) {
+  Flattening chords;
+  kernel.flatten(curve, tolerance, chords);
+  return chords;
+}
+
+CurveView<double> in_plane(const std::vector<double>& control_points) {
+  return {Form::bernstein, 2, static_cast<int>(control_points.size()) / 2 - 1, control_points};
+}
+
+const FlattenKernel& kernel_named(std::string_view id, int dimension = 2) {
+  return *std::ranges::find_if(flatten_kernels(dimension), [&](const auto& one) { return one.info->id == id; });
+}
+
+/// Of all chords: `proved` if every one is, `refuted` if one is. Where the largest distance goes, if asked.
+Kept judged(const CurveView<double>& curve, const Flattening& chords, double tolerance, double* largest = nullptr) {
+  const reference::ScaledCurve scaled(curve);
+  const auto d = static_cast<std::size_t>(curve.dimension);
+  auto all = Kept::proved;
+  for (std::size_t k = 0; k + 1 < chords.t.size(); ++k) {
+    const std::span points(chords.points);
+    const auto [distance, kept] = reference::judge_chord(scaled, chords.t[k], chords.t[k + 1], points.subspan(k * d, d),
+                                                         points.subspan((k + 1) * d, d), tolerance);
+    if (largest != nullptr) *largest = std::max(*largest, distance.low);
+    if (kept == Kept::refuted || (kept == Kept::undecided && all == Kept::proved)) all = kept;
+  }
+  return all;
+}
+
+/// Curves that are awkward for one method or another, of size 1.
+std::vector<double> awkward(int kind, int degree, int dimension, Inputs& inputs) {
+  auto b = inputs.coefficients(degree, dimension);
+  const auto d = static_cast<std::size_t>(dimension);
+  for (std::size_t k = 0; k < b.size(); ++k) switch (kind) {
+      case 0: break;                                                          // random
+      case 1: b[k] = std::round(b[k]); break;                                 // loops, cusps, points
+      case 2: b[k] *= k % d == 0 ? 1 : 0x1p-20; break;                        // nearly on a line
+      case 3: b[k] = 100 + b[k]; break;                                       // far from the origin
+      case 4: b[k] *= 0x1p-900; break;                                        // tiny
+      case 5: b[k] *= 0x1p+900; break;                                        // huge
+      case 6: b[k] = k < d ? b[k] : b[k - d] * (k / d == 2 ? -1 : 1); break;  // coinciding control points
+      default: b[k] = b[std::min(k, b.size() - d - k / d * d + k % d)];       // its own reverse
+    }
+  return b;
+}
+constexpr int awkward_kinds = 8;
+constexpr double sizes[awkward_kinds] = {1, 1, 1, 1, 0x1p-900, 0x1p+900, 1, 1};
+
+template <class Check>
+void for_awkward_curves(const Check& check) {
+  Inputs inputs(11);
+  for (int trial = 0; trial < 30 * awkward_kinds; ++trial) {
+    const int kind = trial % awkward_kinds;
+    const int degree = 1 + trial / awkward_kinds % 3;
+    const int dimension = 1 + static_cast<int>(inputs.unit() * 3);
+    const auto b = awkward(kind, degree, dimension, inputs);
+    const double tolerance = sizes[kind] * (trial % 2 == 0 ? 0.07 : 0.0007);
+    for (const auto& kernel : flatten_kernels(dimension))
+      if (kernel.info->supports<double>(degree))
+        check(kernel, CurveView<double>{Form::bernstein, dimension, degree, b}, tolerance);
+  }
+}
+
+TEST(Flatten, ChordsLeadFromEndToEnd) {
+  for_awkward_curves([](const FlattenKernel& kernel, const CurveView<double>& curve, double tolerance) {
+    const auto chords = flattened(kernel, curve, tolerance);
+    const auto d = static_cast<std::size_t>(curve.dimension);
+    ASSERT_GE(chords.t.size(), 2U) << kernel.info->id;
+    ASSERT_EQ(chords.points.size(), chords.t.size() * d) << kernel.info->id;
+    EXPECT_EQ(chords.t.front(), 0) << kernel.info->id;
+    EXPECT_EQ(chords.t.back(), 1) << kernel.info->id;
+    EXPECT_TRUE(std::ranges::is_sorted(chords.t)) << kernel.info->id;
+    EXPECT_TRUE(std::ranges::equal(std::span(chords.points).first(d), curve.coefficients.first(d))) << kernel.info->id;
+    EXPECT_TRUE(std::ranges::equal(std::span(chords.points).last(d), curve.coefficients.last(d))) << kernel.info->id;
+  });
+}
+
+TEST(Flatten, WhoPromisesTheToleranceKeepsIt) {
+  int judged_count = 0;
+  for_awkward_curves([&](const FlattenKernel& kernel, const CurveView<double>& curve, double tolerance) {
+    if (!kernel.keeps_tolerance) return;
+    const auto chords = flattened(kernel, curve, tolerance);
+    EXPECT_TRUE(chords.complete) << kernel.info->id;
+    EXPECT_EQ(judged(curve, chords, tolerance), Kept::proved) << kernel.info->id << " degree " << curve.degree;
+    ++judged_count;
+  });
+  EXPECT_GT(judged_count, 200);
+}
+
+/// No crack between two faces that share an edge in opposite directions.
+TEST(Flatten, WhoPromisesTheSamePointsForTheReversedCurveHasThem) {
+  int compared = 0;
+  for_awkward_curves([&](const FlattenKernel& kernel, const CurveView<double>& curve, double tolerance) {
+    if (!kernel.reverses) return;
+    const auto d = static_cast<std::size_t>(curve.dimension);
+    const auto reversed_points = [d](std::span<const double> points) {
+      std::vector<double> reversed;
+      for (std::size_t k = points.size(); k > 0; k -= d)
+        reversed.insert(reversed.end(), points.begin() + static_cast<std::ptrdiff_t>(k - d),
+                        points.begin() + static_cast<std::ptrdiff_t>(k));
+      return reversed;
+    };
+    const auto b = reversed_points(curve.coefficients);
+    const auto chords = flattened(kernel, {Form::bernstein, curve.dimension, curve.degree, b}, tolerance);
+    EXPECT_EQ(reversed_points(chords.points), flattened(kernel, curve, tolerance).points) << kernel.info->id;
+    ++compared;
+  });
+  EXPECT_GT(compared, 200);
+}
+
+/// A quarter of the curve at a quarter of the tolerance has the same parameters: square roots of 4 are exact, too.
+TEST(Flatten, ScalingByFourChangesNoParameter) {
+  Inputs inputs(12);
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto b = inputs.coefficients(3, 2);
+    auto quarter = b;
+    for (double& x : quarter) x *= 0.25;
+    for (const auto& kernel : flatten_kernels(2)) {
+      if (!kernel.info->supports<double>(3)) continue;
+      EXPECT_EQ(flattened(kernel, in_plane(b), 1e-3).t, flattened(kernel, in_plane(quarter), 0.25e-3).t)
+          << kernel.info->id;
+    }
+  }
+}
+
+/// The count of Wang's bound for the parabola (0,0), (1,2), (2,0): |C''| = 8, so that the tolerance 1/4 takes 2 chords
+/// and 1/64 takes 8, exactly; their error is the tolerance.
+TEST(Flatten, WangsCountOfAParabolaIsExact) {
+  const std::vector<double> parabola{0, 0, 1, 2, 2, 0};
+  for (const double tolerance : {0.25, 0x1p-6}) {
+    const auto chords = flattened(kernel_named("wang_count"), in_plane(parabola), tolerance);
+    EXPECT_EQ(chords.t.size(), 1 + std::sqrt(1 / tolerance));
+    EXPECT_LE(reference::ScaledCurve(in_plane(parabola)).slack(), 1e-12);
+    EXPECT_EQ(judged(in_plane(parabola), chords, tolerance), Kept::proved);
+  }
+}
+
+/// [Levien 2019]: n chords have errors in the limit that are all E, so that a quarter of E takes twice as many.
+TEST(Flatten, FourTimesFinerTakesTwiceTheChords) {
+  const std::vector<double> cubic{0, 0, 0.25, 0.75, 0.75, 1, 1, 0.25};
+  for (const auto& kernel : flatten_kernels(2)) {
+    if (!kernel.info->supports<double>(3)) continue;
+    const double coarse = static_cast<double>(flattened(kernel, in_plane(cubic), 0x1p-16).t.size()) - 1;
+    const double fine = static_cast<double>(flattened(kernel, in_plane(cubic), 0x1p-18).t.size()) - 1;
+    EXPECT_NEAR(fine / coarse, 2, 0.03) << kernel.info->id;
+  }
+}
+
+/// The second curve of nical/lyon#547, where the library's Hain was 0.016 off after a first repair, at tolerance 0.01.
+TEST(Flatten, Lyon547) {
+  const std::vector<double> b{7.0338364, 60.40962, 5.5532045, 62.335873, 6.1438327, 61.547035, 3.9364057, 60.891937};
+  double distance = 0;
+  const auto hain = flattened(kernel_named("hain"), in_plane(b), 0.01);
+  EXPECT_EQ(judged(in_plane(b), hain, 0.01, &distance), Kept::refuted);
+  EXPECT_GT(distance, 0.016);
+  for (const auto id : {"equal_errors", "wang_count", "halving_distance"})
+    EXPECT_EQ(judged(in_plane(b), flattened(kernel_named(id), in_plane(b), 0.01), 0.01), Kept::proved) << id;
+}
+
+/// linebender/kurbo#426: a cubic on a line that turns back twice. x' / 3 = -10 + 400 t - 510 t^2 is 0 at the second
+/// turn, from which the curve returns to x = 60. Criteria that look at the line of a chord miss it, too.
+TEST(Flatten, Kurbo426) {
+  const std::vector<double> b{0, 10, -10, 10, 180, 10, 60, 10};
+  const double t = (400 + std::sqrt(139600.0)) / 1020;
+  const double turn = -30 * t * (1 - t) * (1 - t) + 540 * t * t * (1 - t) + 60 * t * t * t;
+  double distance = 0;
+  const auto levien = flattened(kernel_named("levien"), in_plane(b), 0.25);
+  EXPECT_EQ(judged(in_plane(b), levien, 0.25, &distance), Kept::refuted);
+  EXPECT_NEAR(distance, turn - 60, 0.05);
+  const auto area = flattened(kernel_named("halving_area"), in_plane(b), 0.25);
+  EXPECT_EQ(judged(in_plane(b), area, 0.25), Kept::refuted);
+  for (const auto id : {"equal_errors", "wang_count", "halving_distance", "halving_angle", "hybrid_differences"})
+    EXPECT_EQ(judged(in_plane(b), flattened(kernel_named(id), in_plane(b), 0.25), 0.25), Kept::proved) << id;
+}
+
+}  // namespace
+}  // namespace bezierbench

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// How far a piece of a curve in Bernstein form is from a chord: an enclosure, proved, and whether it is within a
+// tolerance, decided by exact arithmetic where the enclosure does not decide.
+//
+// The one-sided distance is the largest distance of a point of the piece from the chord, a segment. The Hausdorff
+// distance also counts the points of the chord. It is at most the larger one of the one-sided distance and the
+// distances of the chord's ends from those of the piece: between the feet of its ends, every point of the chord is the
+// foot of a point of the piece, by continuity, and one outside is not farther from the end of the piece than its own
+// end. So the enclosure [low, high] has the one-sided distance from below and the Hausdorff distance from above.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/curve_view.hpp"
+
+namespace bezierbench::reference {
+
+/// A number lies between the two.
+struct Enclosure {
+  double low;
+  double high;
+};
+
+enum class Kept {
+  proved,    ///< the Hausdorff distance is at most the tolerance
+  refuted,   ///< a point of the piece is farther than the tolerance
+  undecided  ///< nearer to the tolerance than what the exact subdivision sees
+};
+
+struct ChordJudgement {
+  Enclosure distance;
+  Kept kept;
+};
+
+/// Points and pieces of a curve, times a power of two that brings its largest coordinate into [1/2, 1). Every computed
+/// number is off by at most `slack`: n levels of three roundings for a blossom, 30 halvings of n levels of one
+/// rounding, and at most 60 roundings for a distance, all of numbers below 4, on each axis.
+class ScaledCurve {
+ public:
+  using Vector = std::array<double, 3>;
+
+  /// Finite control points, dimension at most 3. `curve` must outlive this object.
+  explicit ScaledCurve(const CurveView<double>& curve);
+
+  [[nodiscard]] int degree() const { return curve_.degree; }
+  [[nodiscard]] double slack() const { return slack_; }
+  /// A coordinate or distance times the power of two.
+  [[nodiscard]] double scaled(double value) const;
+  [[nodiscard]] double unscaled(double value) const;
+  [[nodiscard]] Vector scaled(std::span<const double> point) const;
+  [[nodiscard]] Vector point(double t) const;
+  /// The control points of the piece over [from, to], 0 <= from <= to <= 1.
+  void piece(double from, double to, std::vector<Vector>& control_points) const;
+  [[nodiscard]] const CurveView<double>& given() const { return curve_; }
+
+ private:
+  CurveView<double> curve_;
+  int exponent_;
+  double slack_;
+  std::vector<Vector> control_points_;
+  mutable std::vector<Vector> work_;
+};
+
+/// The distance of `point` from the segment between the other two.
+double distance_to_segment(const ScaledCurve::Vector& point, const ScaledCurve::Vector& from,
+                           const ScaledCurve::Vector& to);
+
+/// An enclosure of the largest distance of the piece with these control points from the segment; all scaled. Ends where
+/// the width is at most 2^-10 of the distance or the slack, and `tolerance` is outside or that near.
+Enclosure largest_distance(std::vector<ScaledCurve::Vector> control_points, const ScaledCurve::Vector& from,
+                           const ScaledCurve::Vector& to, double tolerance, double slack);
+
+/// Judges the piece over [t_from, t_to], a part of [0, 1], and the chord between two points.
+ChordJudgement judge_chord(const ScaledCurve& curve, double t_from, double t_to, std::span<const double> from,
+                           std::span<const double> to, double tolerance);
+
+}  // namespace bezierbench::reference
