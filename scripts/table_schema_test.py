@@ -49,6 +49,7 @@ STUDIES = {
     "split-weights": ("subdivision", "rational", 'degree = [3]\ngenerator = ["weights_mild"]\ntrials = 2'),
     "bspline": ("bspline", "bernstein", "degree = [3]\ntrials = 2"),
     "grid": ("grid", "bernstein", "degree = [3]\npoints = [5]\ntrials = 2"),
+    "boxes": ("bounds", "bernstein", "degree = [3]\ntrials = 2"),
     "hard": ("hard_cases", "power", 'scalar = ["double", "float"]\ntrials = 200\nkept = 2'),
     "keeps": ("guarantees", "bernstein", 'degree = [1]\nmethods = ["de_casteljau*", "direct_pow"]\ntrials = 20\nbudget = 200'),
     "every": ("exhaustive", "bernstein", 'curves = ["named#css_ease", "named#wilkinson_3"]\nmethods = ["de_casteljau"]\nt_interval = [[0.5, 0.5001]]'),

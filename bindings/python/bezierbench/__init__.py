@@ -14,7 +14,7 @@ from .bundles import Bundle, numbers, read
 from .curve_files import FileCurve, curves
 from .files import BundleError
 from .listing import Method, methods, version
-from .points import Bounds, Errors, Halves, Prepared, bound, derivative, error, evaluate, exact, exact_fractions, grid, recommended, split
+from .points import Bounds, Box, Errors, Halves, Prepared, bound, box, derivative, error, evaluate, exact, exact_fractions, grid, recommended, split
 from .problems import (
     ExactFoot,
     Fit,
@@ -33,7 +33,7 @@ from .problems import (
 )
 
 __version__ = version()
-__all__ = ["Bounds", "Bundle", "BundleError", "Error", "Errors", "ExactFoot", "FileCurve", "Fit", "Foot", "Halves", "Length", "Method",
-           "Parameter", "Prepared", "arc_length", "arc_length_error", "at_length", "bound", "curves", "derivative", "error", "evaluate", "exact",
-           "exact_arc_length", "exact_fractions", "exact_project", "fit", "grid", "interpolate", "methods", "numbers", "project",
+__all__ = ["Bounds", "Box", "Bundle", "BundleError", "Error", "Errors", "ExactFoot", "FileCurve", "Fit", "Foot", "Halves", "Length", "Method",
+           "Parameter", "Prepared", "arc_length", "arc_length_error", "at_length", "bound", "box", "curves", "derivative", "error", "evaluate",
+           "exact", "exact_arc_length", "exact_fractions", "exact_project", "fit", "grid", "interpolate", "methods", "numbers", "project",
            "project_error", "read", "recommended", "split", "version"]
