@@ -19,6 +19,14 @@ std::int64_t place(double x) {
   return x < 0 ? -magnitude : magnitude;
 }
 
+/// How many doubles `to` is above `from`; rounded where the zero is between them.
+double doubles_from(double from, double to) {
+  const auto first = place(from);
+  const auto last = place(to);
+  return (first < 0) == (last < 0) ? static_cast<double>(last - first)
+                                   : static_cast<double>(last) - static_cast<double>(first);
+}
+
 /// Calls use(error) for both sides of every axis.
 template <class Use>
 void each_side(const BoundsProblem::Drawn& drawn, const BoundsProblem::Answer& box, Use use) {
@@ -36,7 +44,7 @@ bool has_numbers(const BoundsProblem::Answer& box) {
 
 SideError side_error(double computed, double tightest) {
   if (std::isinf(computed)) return {-computed, -computed};
-  return {static_cast<double>(place(tightest)) - static_cast<double>(place(computed)), tightest - computed};
+  return {doubles_from(computed, tightest), tightest - computed};
 }
 
 void BoundsProblem::draw(std::uint64_t number, Drawn& drawn) const {
