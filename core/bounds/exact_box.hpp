@@ -16,8 +16,8 @@
 
 namespace bezierbench {
 
-/// The box's side below the curve of finite control points `b`; `weights` are those of a rational curve, of one sign and
-/// not all 0, else none.
+/// The side of the box below the curve with the finite control points `b`. `weights` are those of a rational curve, of
+/// one sign and not all 0, else none.
 double exact_low_side(std::span<const double> b, std::span<const double> weights);
 
 template <Form F>

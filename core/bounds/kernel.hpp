@@ -15,8 +15,8 @@ struct BoundsKernel {
   const MethodInfo* info;
   const BoxPromises* promises;
   int dimension;
-  /// Writes the lowest and the highest coordinate of each axis: 2 `dimension` numbers, for a curve of the form of `info`
-  /// with finite numbers.
+  /// Writes the lowest and the highest coordinate of each axis, 2 `dimension` numbers. The curve has the form of `info`
+  /// and finite numbers.
   void (*box)(const CurveView<double>& curve, double* sides);
 };
 

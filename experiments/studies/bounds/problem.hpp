@@ -111,7 +111,7 @@ class BoundsProblem {
       TrialFailure<Row>{"sides 2 ulp outside", column::trials<&Errors::loose>, run::Broken::promise}};
 
   static std::span<const Kernel> kernels(int dimension) { return bounds_kernels(dimension); }
-  static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 256; }
+  static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 32; }
   static double trial_nanoseconds(const judge::TrialPart& part, std::size_t methods) {
     const double n = part.cell.degree;
     return n * n * (4'000 + 1'000 * static_cast<double>(methods));
