@@ -321,8 +321,8 @@ class Problems(unittest.TestCase):
 
     def test_every_listed_method_is_there(self):
         problems = {method.problem for method in bezierbench.methods()}
-        self.assertEqual(problems, {"evaluation", "derivative", "grid", "subdivision", "arc_length", "inverse_arc_length", "projection",
-                                    "fitting"})
+        self.assertEqual(problems, {"evaluation", "derivative", "grid", "subdivision", "bounds", "arc_length", "inverse_arc_length",
+                                    "projection", "fitting"})
         for method in bezierbench.methods("derivative", "bernstein"):
             bezierbench.derivative(CURVE, 0.5, 1, method.id)
         for method in bezierbench.methods("grid", "bernstein"):
