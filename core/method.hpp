@@ -26,7 +26,8 @@ enum class Problem {
   subdivision,
   grid,
   bspline,
-  flattening
+  flattening,
+  bounds
 };
 
 constexpr std::string_view name(Problem problem) {
@@ -43,6 +44,7 @@ constexpr std::string_view name(Problem problem) {
     case Problem::grid: return "grid";
     case Problem::bspline: return "bspline";
     case Problem::flattening: return "flattening";
+    case Problem::bounds: return "bounds";
   }
   return "";
 }

@@ -145,6 +145,7 @@ FLIPS = {
     "derivative_distant": _set("mean_error_u", 0.5, "derivative.csv", method="triangle_derivatives", degree=20, order=1),
     "derivative_bounds": _set("bound_violations", 1, "derivative.csv", method="triangle_derivatives", degree=4, order=2),
     "subdivision_halves": _set("junctions_apart", 1, "subdivision.csv", method="lerp_split", degree=4),
+    "boxes_contain": _set("too_small", 1, "bounds.csv", method="exact_box", degree=4),
     "grid_growth": _set("mean_error_u", 0.5, "grid.csv", method="forward_differencing", points=257),
     "bspline_recurrence": _set("max_control_error_u", 1e6, "bspline.csv", method="chudy_wozny_span"),
     "flattening_kept": _set("broken", 1, "flattening.csv", method="wang_count", tolerance=1e-2),

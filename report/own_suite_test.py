@@ -15,7 +15,7 @@ from .findings.roster import find_all
 # One study of each kind, and one whose id looks like that of a known suite.
 STUDIES = ("truth-bezier", "conversion-bezier", "worst-bezier", "peers-speed", "derivative-order", "subdivision-degree",
            "arc_length-tolerance", "inverse_arc_length-tolerance", "projection-cubics", "interpolation-points", "fitting-cubics",
-           "grid-points", "bspline-degree", "flattening-cubics", "guarantees-few", "every-float", "hard-few")
+           "grid-points", "bspline-degree", "flattening-cubics", "bounds-degree", "guarantees-few", "every-float", "hard-few")
 TITLE = "Degree 20 on my machine"
 # Distances from a rounding boundary by search: on it, and nearer than the smallest double.
 DISTANCES = {"tie": ("0",), "nearest": ("1.5e-700", "2e-4"), "cancelled": ("0.25",)}

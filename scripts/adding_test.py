@@ -5,7 +5,7 @@
 adding_test.py --compiler CXX [--include FOLDER]... --kind PROGRAM
 
 The diff of CONTRIBUTING.md is applied to a copy of core; the program below it is compiled against this copy and must print what the
-page shows. PROGRAM is compiled with docs/adding/bounds.diff: it must have the kind that this diff adds. Every link of a page must lead somewhere, and every file that a page for contributors names must exist.
+page shows. PROGRAM is compiled with docs/adding/enclosure.diff: it must have the kind that this diff adds. Every link of a page must lead somewhere, and every file that a page for contributors names must exist.
 """
 import argparse
 import csv
@@ -32,21 +32,21 @@ ARGUMENTS = argparse.ArgumentParser(description=__doc__, formatter_class=argpars
 ARGUMENTS.add_argument("--compiler", default="c++")
 ARGUMENTS.add_argument("--include", action="append", default=[])
 ARGUMENTS.add_argument("--kind", type=Path, required=True)
-KIND_DIFF = ROOT / "docs/adding/bounds.diff"
+KIND_DIFF = ROOT / "docs/adding/enclosure.diff"
 KIND_SUITE = """schema_version = 1
 [suite]
 id = "boxes"
 title = "Boxes"
 [[study]]
 id = "boxes"
-kind = "bounds"
+kind = "enclosure"
 degree = [1, 3]
 points = [17]
 trials = 50
 [[study]]
 id = "boxes-time"
 kind = "timing"
-methods = ["hull_bounds"]
+methods = ["points_enclosure"]
 degree = [3]
 points = [17]
 modes = ["one_shot"]
@@ -96,26 +96,26 @@ class Kind(unittest.TestCase):
         return subprocess.run([self.options.kind, *arguments], check=True, capture_output=True, text=True, **more).stdout
 
     def test_the_diff_makes_a_kind(self):
-        self.assertIn("bounds: boxes around curves", self.answer("list", "kinds"))
-        self.assertIn("points: numbers of exact points", self.answer("list", "kinds", "bounds"))
-        self.assertIn("hull_bounds,bounds,", self.answer("list", "methods", "--format", "csv"))
+        self.assertIn("enclosure: boxes around curves", self.answer("list", "kinds"))
+        self.assertIn("points: numbers of exact points", self.answer("list", "kinds", "enclosure"))
+        self.assertIn("points_enclosure,enclosure,", self.answer("list", "methods", "--format", "csv"))
         with tempfile.TemporaryDirectory(prefix="bezierbench-kind-") as folder:
             (Path(folder) / "boxes.toml").write_text(KIND_SUITE, encoding="utf-8")
             self.answer("run", "boxes.toml", "--quiet", "--out", "boxes", cwd=folder)
             self.answer("verify", "boxes", cwd=folder)
-            with open(Path(folder) / "boxes/bounds.csv", newline="", encoding="utf-8") as text:
+            with open(Path(folder) / "boxes/enclosure.csv", newline="", encoding="utf-8") as text:
                 rows = {(row["method"], row["degree"]): row for row in csv.DictReader(text)}
             with open(Path(folder) / "boxes/timing.csv", newline="", encoding="utf-8") as text:
-                self.assertIn("hull_bounds", {row["method"] for row in csv.DictReader(text)})
+                self.assertIn("points_enclosure", {row["method"] for row in csv.DictReader(text)})
         # A curve is inside the hull of its control points; a line is the box's diagonal; a cubic mostly leaves that of its ends.
-        for box in (("hull_bounds", "1"), ("hull_bounds", "3"), ("ends_bounds", "1")):
+        for box in (("points_enclosure", "1"), ("points_enclosure", "3"), ("ends_enclosure", "1")):
             self.assertEqual((rows[box]["max_error"], rows[box]["outside"]), ("0", "0"), box)
-        self.assertGreater(int(rows["ends_bounds", "3"]["outside"]), 25)
+        self.assertGreater(int(rows["ends_enclosure", "3"]["outside"]), 25)
 
     def test_the_page_shows_the_files_of_the_diff(self):
         shown = subprocess.run(["git", "apply", "--stat", KIND_DIFF], check=True, capture_output=True, text=True, cwd=ROOT).stdout
         self.assertIn(f"```text\n{shown}```", (ROOT / "docs/adding/study_kind.md").read_text(encoding="utf-8"))
-        outside = [line for line in shown.splitlines() if "/bounds/" not in line and "|" in line]
+        outside = [line for line in shown.splitlines() if "/enclosure/" not in line and "|" in line]
         self.assertLessEqual(len(outside), 8)
 
 

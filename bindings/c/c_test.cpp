@@ -390,6 +390,30 @@ TEST(C, HalvesAreThoseOfTheCurve) {
   EXPECT_EQ(bb_split("de_casteljau_split", &parabola, infinity, &first, &second), BB_ERROR_NOT_FINITE);
 }
 
+/// x = 0, 1, 3 rises. With the weights 1, 1/2, 1 the y of the second curve, 0, 2, 0, is 2 t (1-t) / (1 - t + t^2).
+TEST(C, BoxesContainTheCurve) {
+  constexpr std::array arch{0.0, 0.0, 1.0, 2.0, 3.0, 0.0};
+  constexpr std::array weights{1.0, 0.5, 1.0};
+  const bb_curve polynomial{BB_BERNSTEIN, 2, 2, arch.data(), nullptr};
+  const bb_curve weighted{BB_RATIONAL, 2, 2, arch.data(), weights.data()};
+  for (const auto& method : methods("bounds")) {
+    std::array<double, 4> box{};
+    const bool is_rational = method.form == BB_RATIONAL;
+    ASSERT_EQ(bb_box(method.id, is_rational ? &weighted : &polynomial, box.data()), BB_OK) << method.id;
+    EXPECT_NEAR(box[0], 0, 1e-13) << method.id;
+    EXPECT_NEAR(box[1], 3, 1e-13) << method.id;
+    EXPECT_NEAR(box[2], 0, 1e-13) << method.id;
+    const double top = is_rational ? 2.0 / 3 : 1;
+    EXPECT_GE(box[3], top - 1e-13) << method.id;
+    EXPECT_LE(box[3], std::string(method.id) == "control_box" ? 2 : top + 0.02) << method.id;
+  }
+  double out = 7;
+  EXPECT_EQ(bb_box("exact", &polynomial, &out), BB_ERROR_METHOD);
+  EXPECT_EQ(bb_box("split_box", &weighted, &out), BB_ERROR_FORM);
+  EXPECT_EQ(bb_box("exact_box", &polynomial, nullptr), BB_ERROR_NULL);
+  EXPECT_EQ(out, 7);
+}
+
 /// The length of t^3 up to t is t^3.
 TEST(C, ParametersAreThoseOfTheLength) {
   const std::array<double, 4> cube{0, 0, 0, 1};
@@ -545,6 +569,7 @@ std::vector<int> statuses() {
           bb_derivative("differences_horner", &parabola, 1, &t, 1, out.data()),
           bb_grid("pointwise_de_casteljau", &parabola, 2, segments.data()),
           bb_split("de_casteljau_split", &parabola, t, &half, &half),
+          bb_box("exact_box", &parabola, segments.data()),
           bb_bound_float("de_casteljau", 2, 2, single.data(), single.data(), 1, bound),
           bb_project("scan_refine", &parabola, points.data(), &foot),
           bb_interpolate(nullptr, 2, points.data(), 3, segments.data()),

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What methods make of a whole curve: derivatives, points of a grid, halves.
+// What methods make of a whole curve: derivatives, points of a grid, halves, boxes.
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "bindings/c/chosen.hpp"
+#include "core/bounds/kernel.hpp"
 #include "core/derivative/kernel.hpp"
 #include "core/grid/grid.hpp"
 #include "core/grid/kernel.hpp"
@@ -62,5 +63,14 @@ int bb_split(const char* method, const bb_curve* curve, double t, const bb_half*
         std::copy_n(from, d, half->points + i * d);
         if (rational) half->weights[i] = from[d];
       }
+  });
+}
+
+int bb_box(const char* method, const bb_curve* curve, double* out) {
+  return c::guarded([&] {
+    const auto view = c::curve_of(curve);
+    const auto& kernel = c::chosen(bounds_kernels(view.dimension), method, view);
+    c::require_pointers(out);
+    kernel.box(view, out);
   });
 }

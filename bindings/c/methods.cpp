@@ -7,6 +7,7 @@
 #include "bindings/c/curve.hpp"
 #include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
+#include "core/bounds/kernel.hpp"
 #include "core/derivative/kernel.hpp"
 #include "core/evaluate/kernel/kernel.hpp"
 #include "core/fit/kernel.hpp"
@@ -30,6 +31,7 @@ class Methods {
     add_all(derivative_kernels(1));
     add_all(grid_kernels(1));
     add_all(split_kernels(1));
+    add_all(bounds_kernels(1));
     add_all(arc_length_kernels(1));
     add_all(inverse_arc_length_kernels(1));
     add_all(projection_kernels(1));

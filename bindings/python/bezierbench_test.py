@@ -97,7 +97,8 @@ class Points(unittest.TestCase):
         points = np.array(CURVE, dtype=np.float32)
         self.assertGreater(bezierbench.error(points, 0.7, bezierbench.evaluate(points, 0.7)).error.max(), 1e-9)
         for call in (lambda: bezierbench.derivative(points, 0.7), lambda: bezierbench.grid(points, 3),
-                     lambda: bezierbench.split(points, 0.7), lambda: bezierbench.Prepared(points)):
+                     lambda: bezierbench.split(points, 0.7), lambda: bezierbench.box(points),
+                     lambda: bezierbench.Prepared(points)):
             with self.assertRaisesRegex(ValueError, "give float64"):
                 call()
 
@@ -124,6 +125,10 @@ class Points(unittest.TestCase):
         self.assertIsNone(halves.left_weights)
         weighted = bezierbench.split(CURVE, 0.5, weights=[1, 0.5, 1])
         self.assertEqual((weighted.left_weights.tolist(), weighted.right_weights.tolist()), ([1, 0.75, 0.75], [0.75, 0.75, 1]))
+        box = bezierbench.box([[0, 0], [1, 2], [3, 0]])
+        self.assertEqual((box.low.tolist(), box.high.tolist()), ([0, 0], [3, 1]))
+        self.assertEqual(bezierbench.box([[0, 0], [1, 2], [3, 0]], "control_box").high.tolist(), [3, 2])
+        self.assertEqual(bezierbench.box([0.5, 2, 0.5], weights=[1, 0.5, 1]).high.tolist(), [1])
         for call, message in ((lambda: bezierbench.grid(CURVE, 4), "power of two and one"),
                               (lambda: bezierbench.derivative(CURVE, 0.5, -1), "domain"),
                               (lambda: bezierbench.derivative(CURVE, 0.5, form="rational"), "weights")):
@@ -333,7 +338,7 @@ class Problems(unittest.TestCase):
     def test_every_listed_method_is_there(self):
         problems = {method.problem for method in bezierbench.methods()}
         self.assertEqual(problems, {"evaluation", "derivative", "grid", "subdivision", "arc_length", "inverse_arc_length", "projection",
-                                    "fitting", "flattening"})
+                                    "fitting", "flattening", "bounds"})
         for method in bezierbench.methods("derivative", "bernstein"):
             bezierbench.derivative(CURVE, 0.5, 1, method.id)
         for method in bezierbench.methods("grid", "bernstein"):
@@ -343,6 +348,8 @@ class Problems(unittest.TestCase):
                 bezierbench.flatten(CURVE, 0.01, method.id)
         for method in bezierbench.methods("subdivision", "bernstein"):
             bezierbench.split(CURVE, 0.5, method.id)
+        for method in bezierbench.methods("bounds", "bernstein"):
+            bezierbench.box(CURVE, method.id)
         for method in bezierbench.methods("inverse_arc_length"):
             bezierbench.at_length(CURVE, 1, method.id)
         for method in bezierbench.methods("evaluation", "bernstein"):

@@ -198,6 +198,26 @@ companion(
     "with k; `pointwise_...` applies an evaluator to one point after another.")
 
 
+@tables_of("bounds")
+def _boxes(bundle, study):
+    """Sides inside and outside, by degree, over the ranges and inputs of the study."""
+    rows = bundle["bounds.csv"].some(study=study, status="ok")
+    lines = [(label, over(column, combine, write), {}) for label, column, combine, write in (
+        ("too small", "too_small", sum, large), ("farthest inside, sizes", "max_inside_size", max, scientific),
+        ("mean excess, sizes", "mean_excess_size", max, scientific), ("largest excess, ulp", "max_excess_ulp", max, general))]
+    for where, own in inputs.by_set(rows):
+        yield by_axis(own, "degree", study, f"Boxes{where} ({_trials(own)} curves per method)", "包围盒", lines, row_head="quantity")
+
+
+companion(
+    "bounds", "Boxes",
+    "Truth: the extrema of every axis by isolation of the roots of the derivative with integers. The tightest box of doubles has the largest "
+    "double that no point is below and the smallest that none is above. A box is too small where a point of the curve is outside; the curve "
+    "that is farthest outside stands in `bounds.csv` with all its bits. Excess is that of the sides that are not inside, in doubles and over "
+    "the size of the curve; next to 0 there are many doubles. `control_box`, `split_box` and `exact_box` are proved to contain the curve, "
+    "and `exact_box` to have at most 1 ulp of excess. `quadratic_formula_margin_box` is the rule of OpenJDK since 19.")
+
+
 @tables_of("bspline")
 def _knot_spans(bundle, study):
     """Errors of points, then those of the control points of the Bernstein form, where a method makes it."""

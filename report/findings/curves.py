@@ -349,6 +349,22 @@ def subdivision_best(bundle):
         f"{factor(high / low)} times as much.", rows=(methods[winner][top], methods[loser][top]))
 
 
+@finding("bounds")
+def boxes_contain(bundle):
+    """Holds where no method that is proved to contain the curve lost a point of one."""
+    rows = [r for r in bundle["bounds.csv"].of_suite("bounds").rows if r["status"] == "ok"]
+    if not rows:
+        raise Missing("`bounds.csv` has no row of the suite `bounds` with a box")
+    refuted = [r for r in rows if r["contains"] == "refuted"]
+    proved = [r for r in rows if r["method"] in {r["method"] for r in rows if r["contains"] == "proved"}]
+    broken = [r for r in proved if r["too_small"]]
+    return verdict(
+        not broken, f"No box of a method that is proved to contain the curve loses a point: {trials_of(proved)} boxes.",
+        f"Boxes that are proved to contain the curve lose points: {methods_of(broken)}.",
+        f"{large(sum(r['too_small'] for r in refuted))} boxes of the other methods do, {methods_of(refuted) or 'none'}.",
+        rows=broken or refuted[:1] or rows[:1])
+
+
 @finding("grid")
 def grid_growth(bundle):
     """Holds where, at every degree, the least accurate method on the largest grid has a larger mean error over that of the best method there than

@@ -16,11 +16,13 @@ from .files import BundleError
 from .listing import Method, methods, version
 from .points import (
     Bounds,
+    Box,
     Chords,
     Errors,
     Halves,
     Prepared,
     bound,
+    box,
     derivative,
     error,
     evaluate,
@@ -49,7 +51,8 @@ from .problems import (
 )
 
 __version__ = version()
-__all__ = ["Bounds", "Bundle", "BundleError", "Chords", "Error", "Errors", "ExactFoot", "FileCurve", "Fit", "Foot", "Halves", "Length", "Method",
-           "Parameter", "Prepared", "arc_length", "arc_length_error", "at_length", "bound", "curves", "derivative", "error", "evaluate", "exact",
-           "exact_arc_length", "exact_fractions", "exact_project", "fit", "flatten", "grid", "interpolate", "methods", "numbers", "project",
+__all__ = ["Bounds", "Box", "Bundle", "BundleError", "Chords", "Error", "Errors", "ExactFoot", "FileCurve", "Fit", "Foot", "Halves",
+           "Length", "Method", "Parameter", "Prepared", "arc_length", "arc_length_error", "at_length", "bound", "box", "curves",
+           "derivative", "error", "evaluate", "exact", "exact_arc_length", "exact_fractions", "exact_project", "fit", "flatten", "grid",
+           "interpolate", "methods", "numbers", "project",
            "project_error", "read", "recommended", "split", "version"]

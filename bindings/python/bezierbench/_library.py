@@ -86,6 +86,7 @@ _SIGNATURES: dict[str, tuple[type | None, list[type]]] = {
     "bb_bound_float": (c_int, [c_char_p, c_int, c_int, _ARRAY, _ARRAY, c_size_t, _ARRAY]),
     "bb_derivative": (c_int, [c_char_p, _CURVE, c_int, _ARRAY, c_size_t, _ARRAY]),
     "bb_grid": (c_int, [c_char_p, _CURVE, c_int, _ARRAY]),
+    "bb_box": (c_int, [c_char_p, _CURVE, _ARRAY]),
     "bb_flatten": (c_int, [c_char_p, _CURVE, c_double, _ARRAY, _ARRAY, c_size_t, POINTER(c_size_t), POINTER(c_int)]),
     "bb_split": (c_int, [c_char_p, _CURVE, c_double, POINTER(HalfEntry), POINTER(HalfEntry)]),
     "bb_at_length": (c_int, [c_char_p, _CURVE, c_double, c_double, POINTER(ParameterEntry)]),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Points of curves by any method, the true ones, and errors and bounds; derivatives, points of a grid, chords, and halves."""
+"""Points of curves by any method, the true ones, and errors and bounds; derivatives, points of a grid, chords, halves, and boxes."""
 
 from __future__ import annotations
 
@@ -33,6 +33,13 @@ class Chords(NamedTuple):
 
     t: Array
     points: Array
+
+
+class Box(NamedTuple):
+    """The lowest and the highest coordinates of a box, one for each axis."""
+
+    low: Array
+    high: Array
 
 
 class Errors(NamedTuple):
@@ -319,6 +326,16 @@ def split(points: ArrayLike, t: float, method: str = "de_casteljau_split", *, we
     check(library.bb_split(_name(method, "bernstein"), curve.pointer, t, ctypes.byref(entries[0]), ctypes.byref(entries[1])))
     (left, left_weights), (right, right_weights) = halves
     return Halves(left, right, left_weights, right_weights)
+
+
+def box(points: ArrayLike, method: str = "exact_box", *, weights: ArrayLike | None = None) -> Box:
+    """A box of a curve over t in [0, 1]. `exact_box` and `split_box` leave no point of the curve outside; `exact_box` is the
+    tightest box of doubles or at most one double larger on each side. Weights of both signs give an infinite box."""
+    _require_double(points, "boxes are computed in double")
+    curve = GivenCurve(points, weights=weights)
+    sides = np.empty((curve.dimension, 2))
+    check(library.bb_box(_name(method, "bernstein"), curve.pointer, address(sides)))
+    return Box(sides[:, 0].copy(), sides[:, 1].copy())
 
 
 class _PreparedOwner:

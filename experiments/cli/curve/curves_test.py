@@ -233,6 +233,26 @@ class Curves(Case):
             with self.subTest(knots=knots):
                 self.refused(USAGE, [*curve, knots, "--t", t], *needles)
 
+    def test_box_of_a_curve(self):
+        """A CSS timing function with overshoot: extrema by the quadratic formula lose points of it."""
+        self.write("ease.csv", "x,y\n0,0\n0.5,-0.9\n0.1,1.5\n1,1\n")
+        for row in rows(self.fine("curve", "box", "--curve", "ease.csv")):
+            with self.subTest(row=row):
+                self.assertEqual(row["contains"], "yes" if float(row["low_ulp"]) >= 0 <= float(row["high_ulp"]) else "no")
+                self.assertEqual(row["contains"] == "yes", float(row["low"]) <= float(row["tightest_low"])
+                                 and float(row["high"]) >= float(row["tightest_high"]))
+                if row["method"] == "exact_box":
+                    self.assertIn(row["low_ulp"] + row["high_ulp"], {"00", "01", "10", "11"})
+        lost = {row["method"]: row["contains"] for row in rows(self.fine("curve", "box", "--curve", "ease.csv")) if row["axis"] == "y"}
+        self.assertEqual((lost["quadratic_formula_box"], lost["exact_box"], lost["split_box"]), ("no", "yes", "yes"))
+        circle = self.write("circle.csv", "x,y,w\n1,0,1\n1,1,1\n0,1,2\n")
+        for row in rows(self.fine("curve", "box", "--curve", circle, "--method", "exact_box")):
+            self.assertEqual((row["low"], row["high"], row["contains"]), ("0", "1", "yes"))
+        self.write("signs.csv", "x,w\n1,1\n2,-3\n")
+        for row in rows(self.fine("curve", "box", "--curve", "signs.csv")):
+            self.assertEqual((row["low"], row["high"], row["contains"]), ("-inf", "inf", ""))
+        self.refused(USAGE, ["curve", "box", "--curve", "ease.csv", "--method", "exact_bix"], 'did you mean "exact_box"?')
+
     def split_rows(self, *arguments):
         """Rows of `curve split`, in the order of methods, halves, control points and axes."""
         found = rows(self.fine("curve", "split", *arguments))

@@ -168,7 +168,7 @@ BB_API int bb_evaluate_curves(const char* method, const bb_batch* batch, const d
 BB_API int bb_evaluate_curves_float(const char* method, const bb_batch* batch, const float* points,
                                     const float* weights, const float* t, float* out);
 
-/* ---- Derivatives, points of a grid, chords and halves of a curve ---- */
+/* ---- Derivatives, points of a grid, chords, halves and boxes of a curve ---- */
 
 /* The derivative of `order` >= 0 in t at t[0] to t[count - 1], `dimension` values each, of a curve that is not rational. */
 BB_API int bb_derivative(const char* method, const bb_curve* curve, int order, const double* t, size_t count,
@@ -195,6 +195,11 @@ typedef struct bb_half {
 /* Splits a curve with control points at t. The last point of the left half and the first of the right one are the point
  * at t. BB_ERROR_NO_POINT where a weight of a half would be 0. */
 BB_API int bb_split(const char* method, const bb_curve* curve, double t, const bb_half* left, const bb_half* right);
+
+/* The lowest and the highest coordinate of each axis, 2 * dimension values, of a curve with control points over t in
+ * [0, 1]. exact_box and split_box never leave a point of the curve outside; exact_box is the tightest box of doubles or
+ * at most one double larger on each side. Weights of both signs give an infinite box. */
+BB_API int bb_box(const char* method, const bb_curve* curve, double* out);
 
 /* ---- True points without any rounding ---- */
 
