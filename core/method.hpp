@@ -25,7 +25,8 @@ enum class Problem {
   fitting,
   subdivision,
   grid,
-  bspline
+  bspline,
+  easing
 };
 
 constexpr std::string_view name(Problem problem) {
@@ -41,6 +42,7 @@ constexpr std::string_view name(Problem problem) {
     case Problem::subdivision: return "subdivision";
     case Problem::grid: return "grid";
     case Problem::bspline: return "bspline";
+    case Problem::easing: return "easing";
   }
   return "";
 }

@@ -71,6 +71,7 @@ ADDITIONS = [
     (r"experiments/", "experiments/number", "values as bytes are one format"),
     (r"experiments/", "reference/number", "how a number is written is one spelling"),
     (r"core/convert/exact", "Boost.Multiprecision", "exact conversion needs big integers, in prepare only"),
+    (r"core/easing/exact_sign", "Boost.Multiprecision", "ties are decided by big integers"),
     (r"", "{fmt}", "GCC 12 has no std::format"),
     (r"experiments/", "POSIX", "files, processes and clocks are the harness's business"),
     (

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// Studies of kind `easing`: y for x on easing curves, drawn or of sets, against the exact y. Writes easing.csv, and
+// easing_unstable.csv for methods that are not bit-stable.
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+
+#include "experiments/judge/scalar_facts.hpp"
+#include "experiments/sample/curve_slice.hpp"
+#include "experiments/studies/easing/easing_curves.hpp"
+#include "experiments/studies/easing/problem.hpp"
+#include "experiments/studies/trial/companion_kind.hpp"
+#include "experiments/suite/fault.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+template <class Scalar>
+void fill(const EasingCurve<double>& curve, double t, std::uint64_t number, EasingTrial<Scalar>& trial) {
+  using Bits = std::conditional_t<sizeof(Scalar) == sizeof(float), std::uint32_t, std::uint64_t>;
+  constexpr auto parts = EasingTrial<Scalar>::parts;
+  constexpr auto neighbours = EasingTrial<Scalar>::neighbours;
+  trial.curve = {static_cast<Scalar>(curve.x1), static_cast<Scalar>(curve.y1), static_cast<Scalar>(curve.x2),
+                 static_cast<Scalar>(curve.y2)};
+  trial.x.clear();
+  const auto one = std::bit_cast<Bits>(Scalar(1));
+  const auto first = std::min(std::bit_cast<Bits>(static_cast<Scalar>(t)), static_cast<Bits>(one - neighbours));
+  for (std::size_t k = 0; k < neighbours; ++k)
+    trial.x.push_back(std::bit_cast<Scalar>(static_cast<Bits>(first + static_cast<Bits>(k))));
+  for (std::size_t k = 0; k <= parts; ++k) trial.x.push_back(static_cast<Scalar>(k) / static_cast<Scalar>(parts));
+  trial.on_grid = neighbours + 1 + static_cast<std::size_t>(number % (parts - 1));
+  trial.truth.clear();
+  for (const std::size_t k : {std::size_t{0}, trial.on_grid})
+    trial.truth.emplace_back(trial.curve.x1, trial.curve.y1, trial.curve.x2, trial.curve.y2, trial.x[k]);
+}
+
+template <class Scalar>
+bool rises(const EasingCurve<Scalar>& curve) {
+  return curve.y1 >= 0 && curve.y1 <= 1 && curve.y2 >= 0 && curve.y2 <= 1;
+}
+
+/// Whether y at -x and 1 + x is on the lines that continue the curve, up to three roundings.
+template <class Scalar>
+bool is_on_lines(const EasingKernel& method, const EasingCurve<Scalar>& curve, Scalar x) {
+  const std::array outside{-x, 1 + x};
+  std::array<Eased<Scalar>, 2> eased;
+  method(curve, std::span<const Scalar>(outside), eased.data());
+  const EndSlopes<double> slopes({curve.x1, curve.y1, curve.x2, curve.y2});
+  const double before = slopes.start * -double{x};
+  const double step = slopes.end * (double{outside[1]} - 1);
+  constexpr double u = judge::ScalarFacts<Scalar>::arithmetic.unit_roundoff;
+  const double least = judge::ScalarFacts<Scalar>::format.precision == 24 ? 0x1p-149 : 0x1p-1074;
+  return std::abs(double{eased[0].y} - before) <= 4 * u * std::abs(before) + least &&
+         std::abs(double{eased[1].y} - (1 + step)) <= 4 * u * (1 + std::abs(step)) + least;
+}
+
+template <class Scalar>
+void judge_scalar(const EasingKernel& method, EasingTrial<Scalar>& trial, std::span<const Eased<Scalar>> eased,
+                  std::uint64_t number, EasedErrors& errors) {
+  constexpr auto format = judge::ScalarFacts<Scalar>::format;
+  constexpr auto neighbours = EasingTrial<Scalar>::neighbours;
+  const auto is_number = [](const Eased<Scalar>& one) { return std::isfinite(one.y); };
+  if (!std::ranges::all_of(eased, is_number)) {
+    ++errors.non_finite;
+    if (method.is_correctly_rounded) errors.broken.add(number);
+    return;
+  }
+  std::uint64_t misrounded = 0;
+  for (std::size_t k = 0; k < trial.truth.size(); ++k) {
+    auto& truth = trial.truth[k];
+    const double y = eased[k == 0 ? 0 : trial.on_grid].y;
+    errors.error.add(truth.error(y));
+    metric::add_rounded(truth.error_ulp(y, format), errors.error_ulp);
+    misrounded += truth.nearest(format) == y ? 0 : 1;
+  }
+  errors.misrounded += misrounded;
+  const auto falls = [](std::span<const Eased<Scalar>> sequence) {
+    return !std::ranges::is_sorted(sequence, {}, &Eased<Scalar>::y);
+  };
+  const bool is_monotone = !rises(trial.curve) || !(falls(eased.first(neighbours)) || falls(eased.subspan(neighbours)));
+  if (!is_monotone) errors.non_monotone.add(number);
+  const bool has_ends = eased[neighbours].y == 0 && eased.back().y == 1;
+  if (!has_ends) errors.wrong_ends.add(number);
+  if (!is_on_lines(method, trial.curve, trial.x.front())) errors.wrong_outside.add(number);
+  int most = 0;
+  bool converged = true;
+  for (const auto& one : eased) {
+    most = std::max(most, one.steps);
+    converged = converged && one.converged;
+  }
+  errors.steps.add(static_cast<std::uint64_t>(most));
+  errors.not_converged += converged ? 0 : 1;
+  if (method.is_correctly_rounded && (misrounded > 0 || !is_monotone || !has_ends)) errors.broken.add(number);
+}
+
+}  // namespace
+
+EasingProblem::EasingProblem(const suite::Study& study, std::uint64_t seed, const judge::TrialPart& part)
+    : curves_(study, seed, part.cell), range_(part.cell.coordinate_range), is_drawn_(part.cell.slice == nullptr) {
+  if (is_drawn_) return;
+  for (std::size_t k = 0; k < part.cell.slice->curve_count(); ++k)
+    (void)easing_curve_of(study, part.cell.slice->curve_id(k), part.cell.slice->curve(k));
+}
+
+void EasingProblem::draw(std::uint64_t number, Drawn& drawn) const {
+  curves_.draw(number, drawn);
+  const auto x = [&](int i) {
+    const double drawn_x = drawn.curve(0, i);
+    return is_drawn_ && range_ > 0 ? std::abs(drawn_x) / range_ : std::abs(drawn_x);
+  };
+  const EasingCurve<double> curve{x(1), drawn.curve(1, 1), x(2), drawn.curve(1, 2)};
+  fill(curve, drawn.trial.t, number, drawn.in_double);
+  fill(curve, drawn.trial.t, number, drawn.in_float);
+  drawn.nearest = drawn.in_double.truth.front().nearest(reference::binary64);
+}
+
+void EasingProblem::ask(const Kernel& method, const Drawn& drawn, double /*tolerance*/, Answer& answer) {
+  const auto& trial = drawn.in_double;
+  answer.eased.resize(trial.x.size());
+  answer.y.resize(trial.x.size());
+  method.ease(trial.curve, trial.x, answer.eased.data());
+  std::ranges::transform(answer.eased, answer.y.begin(), &Eased<double>::y);
+}
+
+void EasingProblem::judge(const Kernel& method, Drawn& drawn, double /*tolerance*/, const Answer& answer,
+                          std::uint64_t number, Errors& errors) {
+  errors.monotone_trials += rises(drawn.in_double.curve) ? 1 : 0;
+  judge_scalar<double>(method, drawn.in_double, answer.eased, number, errors.in_double);
+  std::vector<Eased<float>> eased(drawn.in_float.x.size());
+  method.ease_float(drawn.in_float.curve, drawn.in_float.x, eased.data());
+  judge_scalar<float>(method, drawn.in_float, eased, number, errors.in_float);
+}
+
+bool EasingProblem::is_right(const Kernel& /*method*/, const Drawn& drawn, double /*tolerance*/, const Answer& answer) {
+  const auto& curve = drawn.in_double.curve;
+  const double size = std::max({1.0, std::abs(curve.y1), std::abs(curve.y2)});
+  return std::abs(answer.y.front() - drawn.nearest) <=
+         judge::half_of_the_digits * reference::double_arithmetic.unit_roundoff * size;
+}
+
+namespace {
+
+suite::Finding check_easing(const suite::Study& study, const suite::Vocabulary& /*known*/) {
+  for (std::size_t k = 0; k < study.dimension.size(); ++k)
+    if (study.dimension[k] != 2)
+      return suite::Fault{"dimension", k, {}, "easing curves have dimension 2; leave it out"};
+  for (std::size_t k = 0; k < study.degree.size(); ++k)
+    if (study.degree[k] != 3) return suite::Fault{"degree", k, {}, "easing curves are cubics; write [3]"};
+  for (std::size_t k = 0; k < study.placement.size(); ++k)
+    if (study.placement[k] != suite::Placement::stored)
+      return suite::Fault{"placement", k, {}, "easing curves begin at (0, 0); leave it out"};
+  return std::nullopt;
+}
+
+}  // namespace
+
+extern constexpr StudyKind easing_kind =
+    companion_kind<EasingProblem>({.id = "easing",
+                                   .about = "y for x on easing curves, cubic-bezier() of CSS",
+                                   .own = {},
+                                   .methods_example = "[\"easing_halley\"]",
+                                   .inputs = {.forms = suite::bernstein_form,
+                                              .forms_reason = "easing curves are given by control points",
+                                              .double_only = true,
+                                              .parameters = suite::Parameters::from_0_to_1,
+                                              .parameters_reason = "x is in [0, 1]"},
+                                   .check = check_easing});
+
+}  // namespace bezierbench::studies
