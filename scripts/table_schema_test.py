@@ -49,6 +49,8 @@ STUDIES = {
     "split-weights": ("subdivision", "rational", 'degree = [3]\ngenerator = ["weights_mild"]\ntrials = 2'),
     "bspline": ("bspline", "bernstein", "degree = [3]\ntrials = 2"),
     "grid": ("grid", "bernstein", "degree = [3]\npoints = [5]\ntrials = 2"),
+    "easing": ("easing", "bernstein", "degree = [3]\ntrials = 2"),
+    "easing-every": ("easing_floats", "bernstein", 'curves = ["named#css_ease"]\nmethods = ["easing_halley"]\nt_interval = [[0.5, 0.5001]]'),
     "hard": ("hard_cases", "power", 'scalar = ["double", "float"]\ntrials = 200\nkept = 2'),
     "keeps": ("guarantees", "bernstein", 'degree = [1]\nmethods = ["de_casteljau*", "direct_pow"]\ntrials = 20\nbudget = 200'),
     "every": ("exhaustive", "bernstein", 'curves = ["named#css_ease", "named#wilkinson_3"]\nmethods = ["de_casteljau"]\nt_interval = [[0.5, 0.5001]]'),

@@ -8,6 +8,7 @@
 #include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
 #include "core/derivative/kernel.hpp"
+#include "core/easing/kernel.hpp"
 #include "core/evaluate/kernel/kernel.hpp"
 #include "core/fit/kernel.hpp"
 #include "core/grid/kernel.hpp"
@@ -33,6 +34,7 @@ class Methods {
     add_all(inverse_arc_length_kernels(1));
     add_all(projection_kernels(1));
     add_all(fitting_kernels(1));
+    add_all(easing_kernels());
   }
 
   [[nodiscard]] const std::vector<bb_method>& entries() const { return entries_; }

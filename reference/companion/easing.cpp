@@ -9,31 +9,31 @@
 namespace bezierbench::reference {
 namespace {
 
-constexpr unsigned long first_bits = 192;
+constexpr unsigned long first_root_bits = 192;
 
 /// x 2^-exponent, an integer.
-mpz_class integer(double x, long exponent) {
+mpz_class scaled_integer(double x, long exponent) {
   const auto exact = exactly(x);
   if (exact.numerator == 0) return 0;
   return exact.numerator << static_cast<mp_bitcnt_t>(exact.exponent - exponent);
 }
 
-long lowest_exponent(std::initializer_list<double> values) {
+long lowest_exponent_of(std::initializer_list<double> values) {
   long lowest = exactly(1).exponent;  // that of the last point
   for (const double value : values) lowest = std::min(lowest, exactly(value).exponent);
   return lowest;
 }
 
 /// p1 3 t (1-t)^2 + p2 3 t^2 (1-t) + t^3 - value, times 2^-exponent.
-IntegerPolynomial cubic(double p1, double p2, const Rational& value, long exponent) {
+IntegerPolynomial easing_cubic(double p1, double p2, const Rational& value, long exponent) {
   const mpz_class less = value.numerator == 0
                              ? mpz_class(0)
                              : mpz_class(value.numerator << static_cast<mp_bitcnt_t>(value.exponent - exponent));
-  return from_scaled_bernstein(
-      {-less, 3 * (integer(p1, exponent) - less), 3 * (integer(p2, exponent) - less), integer(1, exponent) - less});
+  return from_scaled_bernstein({-less, 3 * (scaled_integer(p1, exponent) - less),
+                                3 * (scaled_integer(p2, exponent) - less), scaled_integer(1, exponent) - less});
 }
 
-Rational middle(double a, double b) {
+Rational middle_of(double a, double b) {
   auto sum = exactly(a) + exactly(b);
   --sum.exponent;
   return sum;
@@ -42,16 +42,16 @@ Rational middle(double a, double b) {
 }  // namespace
 
 ExactEased::ExactEased(double x1, double y1, double x2, double y2, double x)
-    : x_(cubic(x1, x2, exactly(x), lowest_exponent({x1, x2, x}))),
+    : x_(easing_cubic(x1, x2, exactly(x), lowest_exponent_of({x1, x2, x}))),
       simple_(square_free(x_)),
-      exponent_(lowest_exponent({y1, y2})) {
-  y_ = cubic(y1, y2, {}, exponent_);
-  const mpz_class first = integer(y1, exponent_);
-  const mpz_class second = integer(y2, exponent_);
-  const mpz_class one = integer(1, exponent_);
+      exponent_(lowest_exponent_of({y1, y2})) {
+  y_ = easing_cubic(y1, y2, {}, exponent_);
+  const mpz_class first = scaled_integer(y1, exponent_);
+  const mpz_class second = scaled_integer(y2, exponent_);
+  const mpz_class one = scaled_integer(1, exponent_);
   steepest_ = 3 * std::max({mpz_class(abs(first)), mpz_class(abs(second - first)), mpz_class(abs(one - second))});
   root_ = isolate_roots(simple_).front();
-  refine(simple_, root_, first_bits);
+  refine(simple_, root_, first_root_bits);
   enclose();
   const Rational number = exactly(nearest(binary64));
   if (is(number)) set(number);
@@ -96,7 +96,8 @@ double ExactEased::nearest(const Format& format) {
     const double below = round_to(format, low_);
     const double above = round_to(format, high_);
     if (below == above) return below;
-    if (is_first && is(middle(below, above))) set(middle(below, above));  // a tie, unless numbers are between them
+    if (is_first && is(middle_of(below, above)))
+      set(middle_of(below, above));  // a tie, unless numbers are between them
     if (!is_exact_) narrow();
   }
 }
@@ -109,7 +110,7 @@ double ExactEased::error(double value) {
     const bool is_inside = less(low_, number) && less(number, high_);
     if (at_low == at_high && !is_inside) return at_low;
     if (is_first)
-      for (const Rational& place : {number - middle(at_low, at_high), number + middle(at_low, at_high)})
+      for (const Rational& place : {number - middle_of(at_low, at_high), number + middle_of(at_low, at_high)})
         if (!is_exact_ && is(place)) set(place);
     if (!is_exact_) narrow();
   }

@@ -24,7 +24,9 @@ from .problems import (
     arc_length,
     arc_length_error,
     at_length,
+    ease,
     exact_arc_length,
+    exact_ease,
     exact_project,
     fit,
     interpolate,
@@ -33,7 +35,7 @@ from .problems import (
 )
 
 __version__ = version()
-__all__ = ["Bounds", "Bundle", "BundleError", "Error", "Errors", "ExactFoot", "FileCurve", "Fit", "Foot", "Halves", "Length", "Method",
-           "Parameter", "Prepared", "arc_length", "arc_length_error", "at_length", "bound", "curves", "derivative", "error", "evaluate", "exact",
-           "exact_arc_length", "exact_fractions", "exact_project", "fit", "grid", "interpolate", "methods", "numbers", "project",
-           "project_error", "read", "recommended", "split", "version"]
+__all__ = ["Bounds", "Bundle", "BundleError", "Error", "Errors", "ExactFoot", "FileCurve", "Fit", "Foot", "Halves", "Length",
+           "Method", "Parameter", "Prepared", "arc_length", "arc_length_error", "at_length", "bound", "curves", "derivative",
+           "ease", "error", "evaluate", "exact", "exact_arc_length", "exact_ease", "exact_fractions", "exact_project", "fit",
+           "grid", "interpolate", "methods", "numbers", "project", "project_error", "read", "recommended", "split", "version"]

@@ -18,7 +18,7 @@ namespace bezierbench::studies {
 namespace {
 
 template <class Scalar>
-void fill(const EasingCurve<double>& curve, double t, std::uint64_t number, EasingTrial<Scalar>& trial) {
+void fill_trial(const EasingCurve<double>& curve, double t, std::uint64_t number, EasingTrial<Scalar>& trial) {
   using Bits = std::conditional_t<sizeof(Scalar) == sizeof(float), std::uint32_t, std::uint64_t>;
   constexpr auto parts = EasingTrial<Scalar>::parts;
   constexpr auto neighbours = EasingTrial<Scalar>::neighbours;
@@ -111,8 +111,8 @@ void EasingProblem::draw(std::uint64_t number, Drawn& drawn) const {
     return is_drawn_ && range_ > 0 ? std::abs(drawn_x) / range_ : std::abs(drawn_x);
   };
   const EasingCurve<double> curve{x(1), drawn.curve(1, 1), x(2), drawn.curve(1, 2)};
-  fill(curve, drawn.trial.t, number, drawn.in_double);
-  fill(curve, drawn.trial.t, number, drawn.in_float);
+  fill_trial(curve, drawn.trial.t, number, drawn.in_double);
+  fill_trial(curve, drawn.trial.t, number, drawn.in_float);
   drawn.nearest = drawn.in_double.truth.front().nearest(reference::binary64);
 }
 

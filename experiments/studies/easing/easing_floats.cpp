@@ -24,8 +24,8 @@
 namespace bezierbench::studies {
 namespace {
 
-constexpr std::uint64_t block_points = 1U << 16U;
-constexpr std::size_t points_at_once = 1024;
+constexpr std::uint64_t floats_of_block = 1U << 16U;
+constexpr std::size_t floats_at_once = 1024;
 
 /// What one method does at the floats of a part.
 struct EasedFloats {
@@ -122,7 +122,7 @@ class EasingFloatsJob final : public run::JobOf<EasedFloatsOfMethods> {
         const auto range = floats_in(study_.t_interval[k]);
         if (!range) suite::refuse(study_, {"t_interval", k, {}, "there is no float in this t_interval; widen it"});
         parts_.push_back({&curve, *range});
-        blocks_ = std::max(blocks_, static_cast<std::size_t>((range->count() - 1) / block_points + 1));
+        blocks_ = std::max(blocks_, static_cast<std::size_t>((range->count() - 1) / floats_of_block + 1));
       }
   }
 
@@ -150,8 +150,8 @@ class EasingFloatsJob final : public run::JobOf<EasedFloatsOfMethods> {
     tallies.of.resize(kernels_.size());
     reference::FloatEasing enclosing(part.easing->curve.x1, part.easing->curve.y1, part.easing->curve.x2,
                                      part.easing->curve.y2);
-    for (std::uint64_t first = begin(number); first < begin(number + 1) && !run::interrupted(); first += points_at_once)
-      judge(part, enclosing, first, std::min(first + points_at_once, begin(number + 1)), tallies.of);
+    for (std::uint64_t first = begin(number); first < begin(number + 1) && !run::interrupted(); first += floats_at_once)
+      judge(part, enclosing, first, std::min(first + floats_at_once, begin(number + 1)), tallies.of);
     return tallies;
   }
 

@@ -110,10 +110,12 @@ class EasingProblem {
     for (std::size_t k = 0; k < all.size(); ++k) all[k].name = names[k];
     return all;
   }();
-  static constexpr auto columns =
+  static constexpr auto columns = joined(
       joined(joined(std::array{TrialColumn<Row>{"monotone_trials", column::count<&Errors::monotone_trials>}},
                     columns_of_scalar<&Errors::in_double>),
-             float_columns);
+             float_columns),
+      std::array{TrialColumn<Row>{"broken_promises", column::count<&Errors::in_double, &EasedErrors::broken>},
+                 TrialColumn<Row>{"float_broken_promises", column::count<&Errors::in_float, &EasedErrors::broken>}});
   static constexpr std::array failures{
       TrialFailure<Row>{"y", column::trials<&Errors::in_double, &EasedErrors::broken>, run::Broken::promise},
       TrialFailure<Row>{"y in float", column::trials<&Errors::in_float, &EasedErrors::broken>, run::Broken::promise}};
