@@ -41,14 +41,14 @@ bool rises(const EasingCurve<Scalar>& curve) {
   return curve.y1 >= 0 && curve.y1 <= 1 && curve.y2 >= 0 && curve.y2 <= 1;
 }
 
-/// Whether y at -x and 1 + x is on the lines that continue the curve, up to three roundings.
+/// Whether y at -1/2 - x and 3/2 + x is on the lines that continue the curve, up to three roundings.
 template <class Scalar>
 bool is_on_lines(const EasingKernel& method, const EasingCurve<Scalar>& curve, Scalar x) {
-  const std::array outside{-x, 1 + x};
+  const std::array outside{-x - Scalar(0.5), x + Scalar(1.5)};
   std::array<Eased<Scalar>, 2> eased;
   method(curve, std::span<const Scalar>(outside), eased.data());
   const EndSlopes<double> slopes({curve.x1, curve.y1, curve.x2, curve.y2});
-  const double before = slopes.start * -double{x};
+  const double before = slopes.start * double{outside[0]};
   const double step = slopes.end * (double{outside[1]} - 1);
   constexpr double u = judge::ScalarFacts<Scalar>::arithmetic.unit_roundoff;
   const double least = judge::ScalarFacts<Scalar>::format.precision == 24 ? 0x1p-149 : 0x1p-1074;
