@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: f = x(t) - x, t <- t - 2 f f' / (2 f'^2 - f f''), inside a bracket that every sign of f narrows, from [x/4,
-//   1], since x(t) <= 3 t; where the step leaves the bracket or is no number, its middle, the geometric one while the
+//   1], since x(t) <= 3 t; where the step leaves the bracket or is not a number, its middle, the geometric one while the
 //   ends are far apart. It ends at a step of at most u t, or where the bracket has no number inside.
 // Source: [Traub 1964], section 5.2, Halley's method; the bracket as in [Press et al. 2007], section 9.4.
 // Cost: 40 flops a step, about 4 steps.

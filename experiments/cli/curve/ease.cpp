@@ -92,7 +92,7 @@ void add_ease(Command command) {
       .takes("X1,Y1,X2,Y2");
   command.option("--curve", options->file, "file of more easing curves (CSV), cubics from (0, 0) to (1, 1)")
       .takes(file_value);
-  command.option("--x", options->x, "where y is asked for; outside [0, 1] on the tangents; may be repeated")
+  command.option("--x", options->x, "where y is wanted; outside [0, 1] on the tangents; may be repeated")
       .required()
       .one_each_time()
       .takes("X");

@@ -8,11 +8,9 @@
 #include <cstddef>
 
 #include "experiments/judge/scalar_facts.hpp"
-#include "experiments/sample/curve_slice.hpp"
 #include "experiments/studies/easing/easing_curves.hpp"
 #include "experiments/studies/easing/problem.hpp"
 #include "experiments/studies/trial/companion_kind.hpp"
-#include "experiments/suite/fault.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -98,19 +96,15 @@ void judge_scalar(const EasingKernel& method, EasingTrial<Scalar>& trial, std::s
 }  // namespace
 
 EasingProblem::EasingProblem(const suite::Study& study, std::uint64_t seed, const judge::TrialPart& part)
-    : curves_(study, seed, part.cell), range_(part.cell.coordinate_range), is_drawn_(part.cell.slice == nullptr) {
-  if (is_drawn_) return;
-  for (std::size_t k = 0; k < part.cell.slice->curve_count(); ++k)
-    (void)easing_curve_of(study, part.cell.slice->curve_id(k), part.cell.slice->curve(k));
-}
+    : curves_(study, seed, part.cell), range_(part.cell.coordinate_range) {}
 
 void EasingProblem::draw(std::uint64_t number, Drawn& drawn) const {
   curves_.draw(number, drawn);
-  const auto x = [&](int i) {
-    const double drawn_x = drawn.curve(0, i);
-    return is_drawn_ && range_ > 0 ? std::abs(drawn_x) / range_ : std::abs(drawn_x);
-  };
-  const EasingCurve<double> curve{x(1), drawn.curve(1, 1), x(2), drawn.curve(1, 2)};
+  const int y_axis = std::min(1, drawn.curve.dimension - 1);
+  const auto share = [&](int i) { return range_ > 0 ? std::abs(drawn.curve(0, i)) / range_ : 0; };
+  const auto curve =
+      easing_curve_of(drawn.curve)
+          .value_or(EasingCurve<double>{share(1), drawn.curve(y_axis, 1), share(2), drawn.curve(y_axis, 2)});
   fill_trial(curve, drawn.trial.t, number, drawn.in_double);
   fill_trial(curve, drawn.trial.t, number, drawn.in_float);
   drawn.nearest = drawn.in_double.truth.front().nearest(reference::binary64);
@@ -140,22 +134,6 @@ bool EasingProblem::is_right(const Kernel& /*method*/, const Drawn& drawn, doubl
          judge::half_of_the_digits * reference::double_arithmetic.unit_roundoff * size;
 }
 
-namespace {
-
-suite::Finding check_easing(const suite::Study& study, const suite::Vocabulary& /*known*/) {
-  for (std::size_t k = 0; k < study.dimension.size(); ++k)
-    if (study.dimension[k] != 2)
-      return suite::Fault{"dimension", k, {}, "easing curves have dimension 2; leave it out"};
-  for (std::size_t k = 0; k < study.degree.size(); ++k)
-    if (study.degree[k] != 3) return suite::Fault{"degree", k, {}, "easing curves are cubics; write [3]"};
-  for (std::size_t k = 0; k < study.placement.size(); ++k)
-    if (study.placement[k] != suite::Placement::stored)
-      return suite::Fault{"placement", k, {}, "easing curves begin at (0, 0); leave it out"};
-  return std::nullopt;
-}
-
-}  // namespace
-
 extern constexpr StudyKind easing_kind =
     companion_kind<EasingProblem>({.id = "easing",
                                    .about = "y for x on easing curves, cubic-bezier() of CSS",
@@ -165,7 +143,6 @@ extern constexpr StudyKind easing_kind =
                                               .forms_reason = "easing curves are given by control points",
                                               .double_only = true,
                                               .parameters = suite::Parameters::from_0_to_1,
-                                              .parameters_reason = "x is in [0, 1]"},
-                                   .check = check_easing});
+                                              .parameters_reason = "x is in [0, 1]"}});
 
 }  // namespace bezierbench::studies

@@ -2,6 +2,8 @@
 // Studies of kind `easing_floats`: y at every float x of an interval on the easing curves of sets, by methods in float.
 // Writes easing_floats.csv.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -18,6 +20,7 @@
 #include "experiments/studies/easing/easing_curves.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
 #include "experiments/studies/roster.hpp"
+#include "experiments/suite/fault.hpp"
 #include "reference/companion/easing.hpp"
 #include "reference/companion/float_easing.hpp"
 
@@ -105,7 +108,13 @@ class EasingFloatsJob final : public run::JobOf<EasedFloatsOfMethods> {
     for (const auto& set : study_.sets)
       for (std::size_t k = 0; k < set->curves.size(); ++k) {
         const auto& id = set->curves.id(k);
-        const auto c = easing_curve_of(study_, id, set->curves[k]);
+        const auto found = easing_curve_of(set->curves[k]);
+        if (!found)
+          suite::refuse(
+              study_,
+              {"curves", 0, "kind",
+               fmt::format("{} is not a cubic from (0, 0) to (1, 1) with x1 and x2 in [0, 1]; leave it out", id)});
+        const EasingCurve<double>& c = *found;
         curves_.push_back(
             {set->id,
              std::string(id),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// An easing curve at a random x, at its neighbours and at k/64: each method in double and in float. A drawn curve takes its
-// two inner points from a drawn cubic: x1 and x2 are their |x| / R, y1 and y2 their y. An answer is right if y at the
-// random x has half of its digits.
+// An easing curve at a random x, at its neighbours and at k/64: each method in double and in float. A cubic that is not
+// an easing curve, as drawn ones, gives its two inner points: x1 and x2 are their |x| / R, y1 and y2 their y. An answer
+// is right if y at the random x has half of its digits.
 #pragma once
 
 #include <array>
@@ -120,15 +120,12 @@ class EasingProblem {
       TrialFailure<Row>{"y", column::trials<&Errors::in_double, &EasedErrors::broken>, run::Broken::promise},
       TrialFailure<Row>{"y in float", column::trials<&Errors::in_float, &EasedErrors::broken>, run::Broken::promise}};
 
-  static std::span<const Kernel> kernels(int dimension) {
-    return dimension == 2 ? easing_kernels() : std::span<const Kernel>();
-  }
+  static std::span<const Kernel> kernels(int /*dimension*/) { return easing_kernels(); }
   static std::size_t timed_trials(const judge::TrialPart& /*part*/) { return 32; }
   static double trial_nanoseconds(const judge::TrialPart& /*part*/, std::size_t methods) {
     return 400'000 + 40'000 * static_cast<double>(methods);
   }
 
-  /// Throws Failure(usage) for a set with a curve that is not an easing curve.
   EasingProblem(const suite::Study& study, std::uint64_t seed, const judge::TrialPart& part);
 
   void draw(std::uint64_t number, Drawn& drawn) const;
@@ -141,7 +138,6 @@ class EasingProblem {
  private:
   judge::CurveSampler curves_;
   double range_;
-  bool is_drawn_;
 };
 
 }  // namespace bezierbench::studies
