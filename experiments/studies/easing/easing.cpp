@@ -101,7 +101,8 @@ EasingProblem::EasingProblem(const suite::Study& study, std::uint64_t seed, cons
 void EasingProblem::draw(std::uint64_t number, Drawn& drawn) const {
   curves_.draw(number, drawn);
   const int y_axis = std::min(1, drawn.curve.dimension - 1);
-  const auto share = [&](int i) { return range_ > 0 ? std::abs(drawn.curve(0, i)) / range_ : 0; };
+  const double range = std::max({range_, std::abs(drawn.curve(0, 1)), std::abs(drawn.curve(0, 2))});
+  const auto share = [&](int i) { return range > 0 ? std::abs(drawn.curve(0, i)) / range : 0; };
   const auto curve =
       easing_curve_of(drawn.curve)
           .value_or(EasingCurve<double>{share(1), drawn.curve(y_axis, 1), share(2), drawn.curve(y_axis, 2)});
