@@ -131,8 +131,7 @@ void EasingProblem::judge(const Kernel& method, Drawn& drawn, double /*tolerance
 bool EasingProblem::is_right(const Kernel& /*method*/, const Drawn& drawn, double /*tolerance*/, const Answer& answer) {
   const auto& curve = drawn.in_double.curve;
   const double size = std::max({1.0, std::abs(curve.y1), std::abs(curve.y2)});
-  return std::abs(answer.y.front() - drawn.nearest) <=
-         judge::half_of_the_digits * reference::double_arithmetic.unit_roundoff * size;
+  return std::abs(answer.y.front() - drawn.nearest) <= expected_accuracy * size;
 }
 
 extern constexpr StudyKind easing_kind =
