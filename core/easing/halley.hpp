@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Formula: f = x(t) - x, t <- t - 2 f f' / (2 f'^2 - f f''), inside a bracket that every sign of f narrows, from [x/4,
-//   1], since x(t) <= 3 t; where the step leaves the bracket or is not a number, its middle, the geometric one while the
-//   ends are far apart. It ends at a step of at most u t, or where the bracket has no number inside.
+//   1], since x(t) <= 3 t; where the step leaves the bracket or is not a number, its middle, the geometric one while
+//   the ends are far apart. It ends at a step of at most u t, or where the bracket has no number inside.
 // Source: [Traub 1964], section 5.2, Halley's method; the bracket as in [Press et al. 2007], section 9.4.
 // Cost: 40 flops a step, about 4 steps.
 // Bound: none is stated. x(t) has a relative error of a few u, t one of x / (t x'(t)) times that.
-// Fails: where x'(t) vanishes t has a third of the digits; y may go back by a few ulp between neighbouring x.
+// Fails: where x'(t) vanishes t has a third of the digits; y may go back by a few ulp between neighbouring x. Where
+//   roundings of f decide the last steps, the bracket is halved: about 50 steps in double.
 #pragma once
 
 #include <cmath>

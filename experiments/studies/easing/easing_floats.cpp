@@ -107,19 +107,16 @@ class EasingFloatsJob final : public run::JobOf<EasedFloatsOfMethods> {
   explicit EasingFloatsJob(const suite::Study& study) : study_(study) {
     for (const auto& set : study_.sets)
       for (std::size_t k = 0; k < set->curves.size(); ++k) {
-        const auto& id = set->curves.id(k);
         const auto found = easing_curve_of(set->curves[k]);
-        if (!found)
-          suite::refuse(
-              study_,
-              {"curves", 0, "kind",
-               fmt::format("{} is not a cubic from (0, 0) to (1, 1) with x1 and x2 in [0, 1]; leave it out", id)});
-        const EasingCurve<double>& c = *found;
-        curves_.push_back(
-            {set->id,
-             std::string(id),
-             {static_cast<float>(c.x1), static_cast<float>(c.y1), static_cast<float>(c.x2), static_cast<float>(c.y2)}});
+        if (!found) continue;
+        curves_.push_back({set->id,
+                           std::string(set->curves.id(k)),
+                           {static_cast<float>(found->x1), static_cast<float>(found->y1), static_cast<float>(found->x2),
+                            static_cast<float>(found->y2)}});
       }
+    if (curves_.empty())
+      suite::refuse(study_, {"curves", 0, "kind",
+                             "the sets have no cubic from (0, 0) to (1, 1) with x1 and x2 in [0, 1]; name another"});
     std::vector<const MethodInfo*> infos;
     for (const auto& kernel : easing_kernels()) infos.push_back(kernel.info);
     const auto chosen = judge::chosen_companions(study_, infos);
