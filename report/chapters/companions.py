@@ -249,18 +249,14 @@ def _eased(bundle, study):
     for where, own in inputs.by_set(rows):
         yield by_axis(own, "generator", study, f"Easing curves{where} ({_trials(own)} trials per method, of which {_monotone(own)} of curves that "
                       "do not fall)", "缓动曲线", lines, row_head="quantity")
+    yield Text("An easing curve is the cubic (0, 0) (x1, y1) (x2, y2) (1, 1) with x1 and x2 in [0, 1], `cubic-bezier()` of CSS; a method solves "
+               "x(t) = x and takes y(t). Truth: the root enclosed with integers, y narrowed until its rounding is decided. Every trial is solved in "
+               "double and, with curve and x rounded, in float. A trial of a curve that does not fall goes back where y falls between two of 32 "
+               "neighbouring x or between k/64 and (k+1)/64. A loop is ended after 1000 steps: as published it may not end.")
 
 
 def _monotone(rows):
     return large(sum(r["monotone_trials"] for r in rows if r["method"] == rows[0]["method"]))
-
-
-companion(
-    "easing", "Easing curves",
-    "An easing curve is the cubic (0, 0) (x1, y1) (x2, y2) (1, 1) with x1 and x2 in [0, 1], `cubic-bezier()` of CSS; a method solves x(t) = x "
-    "and takes y(t). Truth: the root enclosed with integers, y narrowed until its rounding is decided. Every trial is solved in double and, "
-    "with curve and x rounded, in float. A trial of a curve that does not fall goes back where y falls between two of 32 neighbouring x or "
-    "between k/64 and (k+1)/64. A loop is ended after 1000 steps: as published it may not end.")
 
 
 @tables_of("easing_floats")
@@ -271,8 +267,3 @@ def _easing_floats(bundle, study):
         ("goes back", "non_monotone", sum, large), ("most steps", "max_steps", max, large), ("does not end", "not_converged", sum, large))]
     points = {row["points"] for row in rows}
     yield by_axis(rows, "curve_id", study, f"Easing curves at {large(max(points))} floats x each", "每个浮点x处的缓动曲线", lines, row_head="quantity")
-
-
-companion(
-    "easing_floats", "Easing curves at every float",
-    "Truth: an enclosure in long double, and integers where it does not decide. The numbers hold for every float x of the interval.")
