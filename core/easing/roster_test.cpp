@@ -77,6 +77,21 @@ TEST(EasingCorrectlyRounded, RoundsTiesToEven) {
   EXPECT_EQ(eased<EasingCorrectlyRounded>(Curve64{0, 1, 0, 12 * u}, 0.125).y, 0.5 + 4 * u);
 }
 
+/// In double, whose errors are large enough to be seen.
+TEST(EasingEncloser, EnclosesTheTruth) {
+  Inputs inputs(5);
+  int found_count = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const auto c = curve_of(inputs, trial % 5);
+    const double x = 0.001 + 0.998 * inputs.unit();
+    const auto found = EasingEncloser<DoubleArithmetic>(c).at(x, EasingHalley::solve(c, x).t);
+    if (!found) continue;
+    ++found_count;
+    EXPECT_LE(reference::ExactEased(c.x1, c.y1, c.x2, c.y2, x).error(found->high), found->error) << trial;
+  }
+  EXPECT_GT(found_count, 300);
+}
+
 TEST(EasingSign, OfCurvesThroughKnownPoints) {
   // (0, 1, 0, 1): t = 1/2 at x = 1/8, y = 7/8. (1, 0, 0, 1): x(t) - 1/2 has a triple root at 1/2, y = 1/2.
   EXPECT_EQ(exact_easing_sign({0, 1, 0, 1}, 0.125, 0.875, 0.875), 0);
