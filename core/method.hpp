@@ -27,7 +27,8 @@ enum class Problem {
   grid,
   bspline,
   flattening,
-  bounds
+  bounds,
+  easing
 };
 
 constexpr std::string_view name(Problem problem) {
@@ -45,6 +46,7 @@ constexpr std::string_view name(Problem problem) {
     case Problem::bspline: return "bspline";
     case Problem::flattening: return "flattening";
     case Problem::bounds: return "bounds";
+    case Problem::easing: return "easing";
   }
   return "";
 }

@@ -15,7 +15,8 @@ from .findings.roster import find_all
 # One study of each kind, and one whose id looks like that of a known suite.
 STUDIES = ("truth-bezier", "conversion-bezier", "worst-bezier", "peers-speed", "derivative-order", "subdivision-degree",
            "arc_length-tolerance", "inverse_arc_length-tolerance", "projection-cubics", "interpolation-points", "fitting-cubics",
-           "grid-points", "bspline-degree", "flattening-cubics", "bounds-degree", "guarantees-few", "every-float", "hard-few")
+           "grid-points", "bspline-degree", "flattening-cubics", "bounds-degree", "guarantees-few", "every-float", "every-x", "easing-few",
+           "hard-few")
 TITLE = "Degree 20 on my machine"
 # Distances from a rounding boundary by search: on it, and nearer than the smallest double.
 DISTANCES = {"tie": ("0",), "nearest": ("1.5e-700", "2e-4"), "cancelled": ("0.25",)}
@@ -38,6 +39,22 @@ def _write_exhaustive(path):
                                     for at, method in enumerate(("direct", "de_casteljau"))))
 
 
+def _write_easing(path):
+    """Two methods on random easing curves, and at every float on two of them."""
+    rows = []
+    for at, method in enumerate(("easing_correctly_rounded", "easing_halley")):
+        row = dict.fromkeys(schema.columns("easing.csv"), at)
+        row.update(study="easing-few", form="bernstein", method=method, scalar="double", dimension=2, degree=3, coordinate_range=1, t_min=0,
+                   t_max=1, generator="continuous", trials=9, status="ok", curves="", max_error_ulp=0.5 + at, float_max_error_ulp=0.5 + at)
+        rows.append(row)
+    _write(path, "easing.csv", rows)
+    _write(path, "easing_floats.csv", (dict(study="every-x", curve_id=curve, method=method, scalar="float", t_min="0.5", t_max="1",
+                                            points=8388609, max_error_ulp=0.5 + at, worst_x="0x1p-1", misrounded=at, non_monotone=at,
+                                            max_steps=4, not_converged=0)
+                                       for curve in ("css_ease", "easing_1_0_0_1")
+                                       for at, method in enumerate(("easing_correctly_rounded", "easing_halley"))))
+
+
 def _write_hard_cases(path):
     """The cases of DISTANCES in each scalar type."""
     _write(path, "hard_cases.csv", (dict(study="hard-few", family="beside_a_tie", search=search, drawn=1000, form="bernstein", scalar=scalar,
@@ -53,9 +70,12 @@ def _own(place, title=TITLE, printed=False):
     parts = re.split(r"(?=\[\[suites)", fixture.suite_toml())
     own = [part for part in parts if any(f'\nid = "{study}"\n' in part for study in STUDIES)]
     own.append('[[study]]\nid = "every-float"\ntitle = "Every float"\nkind = "exhaustive"\n'
+               '[[study]]\nid = "every-x"\ntitle = "Every x"\nkind = "easing_floats"\n'
+               '[[study]]\nid = "easing-few"\ntitle = "Easing"\nkind = "easing"\n'
                '[[study]]\nid = "hard-few"\ntitle = "Hard cases"\nkind = "hard_cases"\n')
     (path / "suite.toml").write_text(f'[suite]\nid = "mine"\ntitle = "{title}"\n' + "".join(own).replace("[[suites.study]]", "[[study]]"))
     _write_exhaustive(path)
+    _write_easing(path)
     _write_hard_cases(path)
     return Bundle(fixture.seal(path))
 

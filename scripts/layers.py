@@ -72,6 +72,7 @@ ADDITIONS = [
     (r"experiments/", "reference/number", "how a number is written is one spelling"),
     (r"core/convert/exact", "Boost.Multiprecision", "exact conversion needs big integers, in prepare only"),
     (r"core/bounds/exact", "Boost.Multiprecision", "a curve is halved without rounding"),
+    (r"core/easing/exact_sign", "Boost.Multiprecision", "ties are decided by big integers"),
     (r"", "{fmt}", "GCC 12 has no std::format"),
     (r"experiments/", "POSIX", "files, processes and clocks are the harness's business"),
     (

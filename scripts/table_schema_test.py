@@ -51,6 +51,8 @@ STUDIES = {
     "grid": ("grid", "bernstein", "degree = [3]\npoints = [5]\ntrials = 2"),
     "flatten": ("flattening", "bernstein", "degree = [3, 5]\ntolerance = [1e-2]\ntrials = 3"),
     "boxes": ("bounds", "bernstein", "degree = [3]\ntrials = 2"),
+    "easing": ("easing", "bernstein", "degree = [3]\ntrials = 2"),
+    "easing-every": ("easing_floats", "bernstein", 'curves = ["named#css_ease"]\nmethods = ["easing_halley"]\nt_interval = [[0.5, 0.5001]]'),
     "hard": ("hard_cases", "power", 'scalar = ["double", "float"]\ntrials = 200\nkept = 2'),
     "keeps": ("guarantees", "bernstein", 'degree = [1]\nmethods = ["de_casteljau*", "direct_pow"]\ntrials = 20\nbudget = 200'),
     "every": ("exhaustive", "bernstein", 'curves = ["named#css_ease", "named#wilkinson_3"]\nmethods = ["de_casteljau"]\nt_interval = [[0.5, 0.5001]]'),

@@ -9,6 +9,7 @@
 #include "core/arc_length/kernel.hpp"
 #include "core/bounds/kernel.hpp"
 #include "core/derivative/kernel.hpp"
+#include "core/easing/kernel.hpp"
 #include "core/evaluate/kernel/kernel.hpp"
 #include "core/fit/kernel.hpp"
 #include "core/flatten/kernel.hpp"
@@ -37,6 +38,7 @@ class Methods {
     add_all(projection_kernels(1));
     add_all(fitting_kernels(1));
     add_all(flatten_kernels(1));
+    add_all(easing_kernels());
   }
 
   [[nodiscard]] const std::vector<bb_method>& entries() const { return entries_; }

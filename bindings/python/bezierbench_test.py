@@ -335,10 +335,27 @@ class Problems(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, message):
                 bezierbench.interpolate([0, 1, 4], **arguments)
 
+    def test_easing(self):
+        """x1 = x2 = 0 gives x = t^3, so that y(1/8) is (3 y1 + 3 y2 + 1) / 8."""
+        self.assertEqual(bezierbench.ease((0, 1, 0, 1), [0, 0.125, 1]).tolist(), [0, 0.875, 1])
+        x = np.linspace(0, 1, 257)
+        curve = (0.25, 0.1, 0.25, 1)
+        self.assertEqual(bezierbench.ease(curve, x).tolist(), bezierbench.exact_ease(curve, x).tolist())
+        single = bezierbench.ease(curve, x.astype(np.float32))
+        self.assertEqual(single.dtype, np.float32)
+        rounded = bezierbench.exact_ease(np.float32(curve), x).astype(np.float32)
+        self.assertEqual(single.tolist(), rounded.tolist())
+        self.assertEqual(float(bezierbench.ease(curve, -1.0)), -0.4)
+        for arguments in (((2, 0, 0, 1), 0.5), ((0, 0, 0, np.inf), 0.5), ((0, 0, 1), 0.5), (curve, np.nan)):
+            with self.assertRaises(ValueError):
+                bezierbench.ease(*arguments)
+        with self.assertRaises(ValueError):
+            bezierbench.exact_ease(curve, 2)
+
     def test_every_listed_method_is_there(self):
         problems = {method.problem for method in bezierbench.methods()}
         self.assertEqual(problems, {"evaluation", "derivative", "grid", "subdivision", "arc_length", "inverse_arc_length", "projection",
-                                    "fitting", "flattening", "bounds"})
+                                    "fitting", "flattening", "bounds", "easing"})
         for method in bezierbench.methods("derivative", "bernstein"):
             bezierbench.derivative(CURVE, 0.5, 1, method.id)
         for method in bezierbench.methods("grid", "bernstein"):
@@ -350,6 +367,8 @@ class Problems(unittest.TestCase):
             bezierbench.split(CURVE, 0.5, method.id)
         for method in bezierbench.methods("bounds", "bernstein"):
             bezierbench.box(CURVE, method.id)
+        for method in bezierbench.methods("easing"):
+            self.assertAlmostEqual(float(bezierbench.ease((0.42, 0, 0.58, 1), 0.5, method.id)), 0.5, 6)
         for method in bezierbench.methods("inverse_arc_length"):
             bezierbench.at_length(CURVE, 1, method.id)
         for method in bezierbench.methods("evaluation", "bernstein"):

@@ -275,3 +275,36 @@ companion(
     "curve is certainly farther from the chord of its piece; enclosures of the distance decide that, and integers where they do not. The "
     "least number of chords has their ends on the curve: a lower bound is proved by a search over all starts and ends, and the ratio is to "
     "that bound. A method may have fewer where it breaks the tolerance. Ratios are the largest mean over the inputs of a study.")
+
+
+@tables_of("easing")
+def _eased(bundle, study):
+    """Double and float across."""
+    rows = bundle.judged("easing.csv").some(study=study, status="ok")
+    lines = [(f"{label}{place}", over(prefix + column, combine, write), {}) for prefix, place in (("", ""), ("float_", ", float"))
+             for label, column, combine, write in (
+                 ("largest error, ulp", "max_error_ulp", max, general), ("99 % quantile, ulp", "p99_error_ulp", max, general),
+                 ("largest error", "max_error", max, scientific), ("misrounded, of two answers a trial", "misrounded", sum, large),
+                 ("goes back", "non_monotone", sum, large), ("wrong ends", "wrong_ends", sum, large),
+                 ("most steps", "max_steps", max, large), ("does not end", "not_converged", sum, large))]
+    for where, own in inputs.by_set(rows):
+        yield by_axis(own, "generator", study, f"Easing curves{where} ({_trials(own)} trials per method, of which {_monotone(own)} of curves that "
+                      "do not fall)", "缓动曲线", lines, row_head="quantity")
+    yield Text("An easing curve is the cubic (0, 0) (x1, y1) (x2, y2) (1, 1) with x1 and x2 in [0, 1], `cubic-bezier()` of CSS; a method solves "
+               "x(t) = x and takes y(t). Truth: the root enclosed with integers, y narrowed until its rounding is decided. Every trial is solved in "
+               "double and, with curve and x rounded, in float. A trial of a curve that does not fall goes back where y falls between two of 32 "
+               "neighbouring x or between k/64 and (k+1)/64. A loop is ended after 1000 steps: as published it may not end.")
+
+
+def _monotone(rows):
+    return large(sum(r["monotone_trials"] for r in rows if r["method"] == rows[0]["method"]))
+
+
+@tables_of("easing_floats")
+def _easing_floats(bundle, study):
+    rows = bundle["easing_floats.csv"].some(study=study)
+    lines = [(label, over(column, combine, write), {}) for label, column, combine, write in (
+        ("largest error, ulp", "max_error_ulp", max, general), ("misrounded", "misrounded", sum, large),
+        ("goes back", "non_monotone", sum, large), ("most steps", "max_steps", max, large), ("does not end", "not_converged", sum, large))]
+    points = {row["points"] for row in rows}
+    yield by_axis(rows, "curve_id", study, f"Easing curves at {large(max(points))} floats x each", "每个浮点x处的缓动曲线", lines, row_head="quantity")

@@ -8,7 +8,7 @@ from ..document import Text, Tile, Tiles
 from ..wording import count, large, percent
 from .parts import chapter
 
-COUNTED = {"exhaustive.csv": "points"}  # the column of the judged inputs, where it is not `trials`
+COUNTED = {"exhaustive.csv": "points", "easing_floats.csv": "points"}  # the column of the judged inputs, where it is not `trials`
 NOT_JUDGED = ("reference.csv", "audit.csv", "worst.csv", "conversion.csv")
 BROKEN = {"bound_violations": ("violation of a proved bound", "violations of proved bounds"),
           "broken_promises": ("broken promise", "broken promises")}

@@ -42,7 +42,9 @@ from .problems import (
     arc_length,
     arc_length_error,
     at_length,
+    ease,
     exact_arc_length,
+    exact_ease,
     exact_project,
     fit,
     interpolate,
@@ -53,6 +55,5 @@ from .problems import (
 __version__ = version()
 __all__ = ["Bounds", "Box", "Bundle", "BundleError", "Chords", "Error", "Errors", "ExactFoot", "FileCurve", "Fit", "Foot", "Halves",
            "Length", "Method", "Parameter", "Prepared", "arc_length", "arc_length_error", "at_length", "bound", "box", "curves",
-           "derivative", "error", "evaluate", "exact", "exact_arc_length", "exact_fractions", "exact_project", "fit", "flatten", "grid",
-           "interpolate", "methods", "numbers", "project",
-           "project_error", "read", "recommended", "split", "version"]
+           "derivative", "ease", "error", "evaluate", "exact", "exact_arc_length", "exact_ease", "exact_fractions", "exact_project", "fit",
+           "flatten", "grid", "interpolate", "methods", "numbers", "project", "project_error", "read", "recommended", "split", "version"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Arc length, projection and fitting, with their true results; interpolation."""
+"""Arc length, projection, fitting and easing, with their true results; interpolation."""
 
 from __future__ import annotations
 
@@ -118,6 +118,31 @@ def project_error(points: ArrayLike, point: ArrayLike, t: float, distance: float
     error = ctypes.c_double()
     _check_truth(curve, lambda: library.bb_project_error(curve.pointer, address(at), t, distance, ctypes.byref(error)))
     return error.value
+
+
+def _easing(bezier: ArrayLike, x: ArrayLike, dtype: type) -> tuple[Array, Array, Array]:
+    curve = array_of(bezier, dtype).reshape(-1)
+    if curve.size != 4:
+        raise ValueError(f"an easing curve has 4 numbers, x1, y1, x2 and y2, not {curve.size}")
+    at = array_of(x, dtype)
+    return curve, at, np.empty_like(at)
+
+
+def ease(bezier: ArrayLike, x: ArrayLike, method: str = "easing_correctly_rounded") -> Array:
+    """y at each x of the easing curve (0,0) (x1,y1) (x2,y2) (1,1), cubic-bezier(x1, y1, x2, y2) of CSS; x1 and x2 are in [0,1],
+    and outside [0,1] the curve goes on along its tangents. `x` of dtype float32 is answered in float."""
+    is_float = getattr(x, "dtype", None) == np.float32
+    curve, at, y = _easing(bezier, x, np.float32 if is_float else np.float64)
+    call = library.bb_ease_float if is_float else library.bb_ease
+    check(call(method.encode(), address(curve), address(at), at.size, address(y)))
+    return y
+
+
+def exact_ease(bezier: ArrayLike, x: ArrayLike) -> Array:
+    """The true y at each x in [0,1], rounded once."""
+    curve, at, y = _easing(bezier, x, np.float64)
+    check(library.bb_exact_ease(address(curve), address(at), at.size, address(y)))
+    return y
 
 
 PARAMETERS = ("centripetal", "uniform", "chord")  # in the order of bb_parameters

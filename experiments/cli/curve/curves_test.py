@@ -44,6 +44,25 @@ class Curves(Case):
         for tolerance in ("0", "-1", "nan", "x"):
             self.refused(USAGE, ["curve", "flatten", "--curve", "p.csv", "--tolerance", tolerance], "--tolerance")
 
+    def test_ease(self):
+        """x1 = x2 = 0 gives x = t^3, so that y(1/8) is (3 y1 + 3 y2 + 1) / 8; beyond 1 the tangent is level."""
+        found = rows(self.fine("curve", "ease", "--bezier", "0,1,0,1", "--x", "0.125", "--x", "2"))
+        self.assertEqual(list(found[0]), ["method", "x", "t", "y", "exact", "error", "error_ulp"])
+        self.assertEqual({row["exact"] for row in found}, {"0.875", ""})
+        rounded = [row for row in found if row["method"] == "easing_correctly_rounded"]
+        self.assertEqual([(row["t"], row["y"], row["error"]) for row in rounded], [("0.5", "0.875", "0"), ("1", "1", "")])
+        self.write("e.csv", "curve,index,x,y\na,0,0,0\na,1,0,1\na,2,0,1\na,3,1,1\nb,0,0,0\nb,1,1,0\nb,2,0,1\nb,3,1,1\n")
+        found = rows(self.fine("curve", "ease", "--curve", "e.csv", "--x", "0.5", "--method", "easing_halley"))
+        self.assertEqual([(row["curve"], row["method"]) for row in found], [("a", "easing_halley"), ("b", "easing_halley")])
+        self.assertEqual(found[1]["exact"], "0.5")
+        for arguments, *needles in [
+                (["--x", "0.5"], "--bezier is required"), (["--bezier", "2,0,1,1", "--x", "0.5"], "--bezier 2,0,1,1", "[0, 1]"),
+                (["--bezier", "0,0,1", "--x", "0.5"], "3 numbers"), (["--bezier", "0,0,1,1", "--x", "nan"], "--x nan"),
+                (["--bezier", "0,0,1,1", "--x", "0", "--method", "halley_"], "halley_"),
+                (["--curve", "c.csv", "--x", "0.5"], "c.csv", "from (0, 0) to (1, 1)")]:
+            with self.subTest(arguments=arguments):
+                self.refused(USAGE, ["curve", "ease", *arguments], *needles)
+
     def test_several_curves_in_a_file(self):
         """What `interpolate` and `fit` print is read; each curve has its rows, and FILE#ID names one."""
         self.write("p.csv", "x,y\n0,0\n3,4\n6,8\n")

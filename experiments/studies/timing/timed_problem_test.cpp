@@ -88,7 +88,8 @@ std::vector<suite::Study> one_of_each() {
           fits({"schneider", "gauss_newton"}),
           grids({"pointwise_de_casteljau", "forward_differencing"}),
           study_of({"de_boor", "knot_insertion_span", "chudy_wozny_span"}),
-          study_of({"de_casteljau_split", "lerp_split", "matrix_split"})};
+          study_of({"de_casteljau_split", "lerp_split", "matrix_split"}),
+          study_of({"easing_correctly_rounded", "easing_halley"})};
 }
 
 /// A study with the axes of the problem and these methods.

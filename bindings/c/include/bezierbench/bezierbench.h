@@ -90,7 +90,7 @@ typedef struct bb_method {
   const char* id;         /* for example "de_casteljau" */
   const char* label;      /* for people */
   const char* problem;    /* "evaluation", "derivative", "grid", "subdivision", "arc_length", "inverse_arc_length",
-                             "projection", "fitting" or "flattening" */
+                             "projection", "fitting", "flattening", "bounds" or "easing" */
   const char* bound;      /* the proved bound in words; empty where there is none */
   const char* flops;      /* per point, in the degree n and the dimension d */
   const char* citation;   /* the source of the method */
@@ -282,6 +282,17 @@ BB_API int bb_exact_project(const bb_curve* curve, const double* point, double* 
 /* The error of a foot: |distance - true distance|, or how much farther than the nearest point the curve is at t, where
  * that is more than twice as much. Infinite where t or distance is not finite. */
 BB_API int bb_project_error(const bb_curve* curve, const double* point, double t, double distance, double* error);
+
+/* ---- Easing curves: cubic-bezier(x1, y1, x2, y2) of CSS ---- */
+
+/* y at x[0] to x[count - 1] of the curve (0,0) (x1,y1) (x2,y2) (1,1); `bezier` has x1, y1, x2 and y2, x1 and x2 in [0,1]. For
+ * x outside [0,1] the curve goes on along its tangents. A null `method` stands for easing_correctly_rounded, whose y at x in
+ * [0,1] is the number nearest to the true one. */
+BB_API int bb_ease(const char* method, const double* bezier, const double* x, size_t count, double* y);
+BB_API int bb_ease_float(const char* method, const float* bezier, const float* x, size_t count, float* y);
+
+/* The true y, rounded once, for x in [0,1]. */
+BB_API int bb_exact_ease(const double* bezier, const double* x, size_t count, double* y);
 
 /* ---- Piecewise cubics near points ---- */
 

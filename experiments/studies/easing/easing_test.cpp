@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <memory>
+
+#include "core/easing/kernel.hpp"
+#include "experiments/failure.hpp"
+#include "experiments/run/job_test.hpp"
+#include "experiments/sample/curve_slice.hpp"
+#include "experiments/studies/easing/problem.hpp"
+#include "experiments/studies/roster.hpp"
+#include "reference/curves/read.hpp"
+
+namespace bezierbench::studies {
+namespace {
+
+suite::Study small_easing_study() {
+  suite::Study study;
+  study.id = "small";
+  study.kind = &kind("easing");
+  study.degree = {3};
+  study.trials = 80;  // two blocks, the last one short
+  return study;
+}
+
+/// Curves of the shipped set `named`.
+void take_easings(suite::Study& study, const std::vector<std::string>& ids) {
+  const std::string name = BEZIERBENCH_SOURCE_DIR "/reference/curves/sets/named.csv";
+  std::ifstream file(name);
+  const auto all = curves::read(std::string(std::istreambuf_iterator<char>(file), {}), name).set;
+  auto set = std::make_shared<sample::LoadedSet>();
+  set->id = "named";
+  for (const auto& id : ids) set->curves.add(id, all[all.find(id)]);
+  study.curves = {"named"};
+  study.sets = {set};
+}
+
+bundle::CsvDocument easing_table_of(const suite::Study& study, const std::string& file) {
+  const auto job = make_job(study, {1});
+  run::run_all(*job);
+  EXPECT_TRUE(job->violations().empty());
+  return bundle::parse_csv(run::text_of(*job).at(file), file);
+}
+
+TEST(EasingStudy, OrderAndInterruptionsChangeNoByte) {
+  (void)run::expect_order_changes_nothing(make_job, small_easing_study());
+}
+
+TEST(EasingStudy, OnlyTheCorrectlyRoundedMethodMisroundsNothing) {
+  for (const auto* generator : {"continuous", "integer"}) {
+    auto study = small_easing_study();
+    study.generator = {generator};
+    const auto csv = easing_table_of(study, "easing.csv");
+    ASSERT_EQ(csv.row_count(), 5U);
+    for (std::size_t row = 0; row < csv.row_count(); ++row) {
+      const bool is_exact = csv.at(row, "method") == "easing_correctly_rounded";
+      for (const std::string scalar : {"", "float_"}) {
+        EXPECT_EQ(csv.at(row, scalar + "misrounded") == "0", is_exact) << csv.at(row, "method") << " " << scalar;
+        if (!is_exact) continue;
+        EXPECT_LE(run::number_at(csv, row, scalar + "max_error_ulp"), 0.5);
+        EXPECT_EQ(csv.at(row, scalar + "non_monotone"), "0");
+        EXPECT_EQ(csv.at(row, scalar + "wrong_ends"), "0");
+      }
+      EXPECT_EQ(csv.at(row, "wrong_outside"), "0");
+      EXPECT_EQ(csv.at(row, "not_converged"), "0");
+      EXPECT_GT(run::number_at(csv, row, "monotone_trials"), 0);
+    }
+  }
+}
+
+/// A method that promises to be correctly rounded, and is one ulp off.
+TEST(EasingStudy, AMisroundedAnswerBreaksThePromise) {
+  const auto study = small_easing_study();
+  const judge::TrialPart part{sample::cells(study).front(), {}};
+  const EasingProblem problem(study, 1, part);
+  EasingProblem::Drawn drawn;
+  problem.draw(0, drawn);
+  const auto& kernel = EasingProblem::kernels(2).front();
+  ASSERT_TRUE(kernel.is_correctly_rounded);
+  EasingAnswer answer;
+  EasingProblem::ask(kernel, drawn, 0, answer);
+  const auto broken = [&] {
+    EasingErrors errors;
+    EasingProblem::judge(kernel, drawn, 0, answer, 7, errors);
+    return errors.in_double.broken.count;
+  };
+  EXPECT_EQ(broken(), 0U);
+  answer.eased.front().y = std::nextafter(answer.eased.front().y, 2);
+  EXPECT_EQ(broken(), 1U);
+  answer.eased.front().y = drawn.nearest;
+  answer.eased.back().y = std::nextafter(1.0, 0);
+  EXPECT_EQ(broken(), 1U);
+}
+
+TEST(EasingStudy, RefusesWhatIsNoEasingCurve) {
+  auto study = small_easing_study();
+  study.form = Form::power;
+  EXPECT_THROW(make_job(study, {1}), Failure);
+  study = small_easing_study();
+  study.scalar = {suite::ScalarKind::float32};
+  EXPECT_THROW(make_job(study, {1}), Failure);
+  suite::Study floats;
+  floats.id = "floats";
+  floats.kind = &kind("easing_floats");
+  take_easings(floats, {"wilkinson_3"});
+  EXPECT_THROW(make_job(floats, {1}), Failure);
+}
+
+/// What the rows of easing_floats.csv say, from integers.
+TEST(EasingFloats, RowsAreWhatTheIntegersSay) {
+  suite::Study study;
+  study.id = "every";
+  study.kind = &kind("easing_floats");
+  study.t_interval = {{0x1.fffp-2, 0x1.001p-1}};
+  take_easings(study, {"css_ease", "easing_1_0_0_1"});
+  const auto csv = easing_table_of(study, "easing_floats.csv");
+  ASSERT_EQ(csv.row_count(), 10U);
+  const std::map<std::string, EasingCurve<float>, std::less<>> curves{{"css_ease", {0.25F, 0.1F, 0.25F, 1}},
+                                                                      {"easing_1_0_0_1", {1, 0, 0, 1}}};
+  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+    const auto& c = curves.find(csv.at(row, "curve_id"))->second;
+    const auto& kernel =
+        *std::ranges::find_if(easing_kernels(), [&](const auto& one) { return one.info->id == csv.at(row, "method"); });
+    std::uint64_t misrounded = 0;
+    std::uint64_t back = 0;
+    std::uint64_t count = 0;
+    double largest = 0;
+    float before = 0;
+    for (float x = 0x1.fffp-2F; x <= 0x1.001p-1F; x = std::nextafter(x, 1.0F), ++count) {
+      Eased<float> eased;
+      kernel.ease_float(c, std::span(&x, 1), &eased);
+      reference::ExactEased exact(c.x1, c.y1, c.x2, c.y2, x);
+      misrounded += exact.nearest(reference::binary32) == eased.y ? 0 : 1;
+      largest = std::max(largest, exact.error_ulp(eased.y, reference::binary32));
+      back += eased.y < before ? 1 : 0;
+      before = eased.y;
+    }
+    const auto what = std::string(csv.at(row, "curve_id")) + " " + std::string(csv.at(row, "method"));
+    EXPECT_EQ(run::number_at(csv, row, "points"), static_cast<double>(count)) << what;
+    EXPECT_EQ(run::number_at(csv, row, "misrounded"), static_cast<double>(misrounded)) << what;
+    EXPECT_EQ(run::number_at(csv, row, "non_monotone"), static_cast<double>(back)) << what;
+    EXPECT_NEAR(run::number_at(csv, row, "max_error_ulp"), largest, 1e-6 * largest) << what;
+  }
+}
+
+}  // namespace
+}  // namespace bezierbench::studies

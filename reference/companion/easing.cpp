@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "reference/companion/easing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <vector>
+
+namespace bezierbench::reference {
+namespace {
+
+constexpr unsigned long first_root_bits = 192;
+
+/// x 2^-exponent, an integer.
+mpz_class scaled_integer(double x, long exponent) {
+  const auto exact = exactly(x);
+  if (exact.numerator == 0) return 0;
+  return exact.numerator << static_cast<mp_bitcnt_t>(exact.exponent - exponent);
+}
+
+long lowest_exponent_of(std::initializer_list<double> values) {
+  long lowest = exactly(1).exponent;  // that of the last point
+  for (const double value : values) lowest = std::min(lowest, exactly(value).exponent);
+  return lowest;
+}
+
+/// p1 3 t (1-t)^2 + p2 3 t^2 (1-t) + t^3 - value, times 2^-exponent.
+IntegerPolynomial easing_cubic(double p1, double p2, const Rational& value, long exponent) {
+  const mpz_class less = value.numerator == 0
+                             ? mpz_class(0)
+                             : mpz_class(value.numerator << static_cast<mp_bitcnt_t>(value.exponent - exponent));
+  return from_scaled_bernstein({-less, 3 * (scaled_integer(p1, exponent) - less),
+                                3 * (scaled_integer(p2, exponent) - less), scaled_integer(1, exponent) - less});
+}
+
+Rational middle_of(double a, double b) {
+  auto sum = exactly(a) + exactly(b);
+  --sum.exponent;
+  return sum;
+}
+
+}  // namespace
+
+ExactEased::ExactEased(double x1, double y1, double x2, double y2, double x)
+    : x_(easing_cubic(x1, x2, exactly(x), lowest_exponent_of({x1, x2, x}))),
+      simple_(square_free(x_)),
+      exponent_(lowest_exponent_of({y1, y2})) {
+  y_ = easing_cubic(y1, y2, {}, exponent_);
+  const mpz_class first = scaled_integer(y1, exponent_);
+  const mpz_class second = scaled_integer(y2, exponent_);
+  const mpz_class one = scaled_integer(1, exponent_);
+  steepest_ = 3 * std::max({mpz_class(abs(first)), mpz_class(abs(second - first)), mpz_class(abs(one - second))});
+  root_ = isolate_roots(simple_).front();
+  refine(simple_, root_, first_root_bits);
+  enclose();
+  const Rational number = exactly(nearest(binary64));
+  if (is(number)) set(number);
+}
+
+void ExactEased::enclose() {
+  const auto degree = y_.empty() ? 0 : static_cast<long>(y_.size()) - 1;
+  const auto shift = static_cast<long>(root_.t.shift);
+  low_ = {value_at(y_, root_.t), 1, exponent_ - degree * shift};
+  high_ = low_;
+  if (root_.exact) return set(low_);
+  const Rational reach{steepest_, 1, exponent_ - shift};
+  low_ = low_ - reach;
+  high_ = high_ + reach;
+}
+
+void ExactEased::narrow() {
+  refine(simple_, root_, 2 * root_.t.shift);
+  enclose();
+}
+
+void ExactEased::set(const Rational& value) {
+  low_ = high_ = value;
+  is_exact_ = true;
+}
+
+bool ExactEased::is(const Rational& value) const {
+  const long exponent = std::min(exponent_, value.numerator == 0 ? 0 : value.exponent);
+  auto difference = y_;
+  for (auto& c : difference) c <<= static_cast<mp_bitcnt_t>(exponent_ - exponent);
+  if (difference.empty()) difference.emplace_back(0);
+  if (value.numerator != 0) difference[0] -= value.numerator << static_cast<mp_bitcnt_t>(value.exponent - exponent);
+  while (!difference.empty() && difference.back() == 0) difference.pop_back();
+  const auto common = greatest_common_divisor(x_, difference);
+  return common.size() > 1 && !isolate_roots(square_free(common)).empty();
+}
+
+double ExactEased::t() const { return round_to(binary64, {root_.t.k, 1, -static_cast<long>(root_.t.shift)}); }
+
+double ExactEased::nearest(const Format& format) {
+  for (bool is_first = true;; is_first = false) {
+    const double below = round_to(format, low_);
+    const double above = round_to(format, high_);
+    if (below == above) return below;
+    if (is_first && is(middle_of(below, above)))
+      set(middle_of(below, above));  // a tie, unless numbers are between them
+    if (!is_exact_) narrow();
+  }
+}
+
+double ExactEased::error(double value) {
+  const Rational number = exactly(value);
+  for (bool is_first = true;; is_first = false) {
+    const double at_low = round_to(error_format, abs(number - low_));
+    const double at_high = round_to(error_format, abs(number - high_));
+    const bool is_inside = less(low_, number) && less(number, high_);
+    if (at_low == at_high && !is_inside) return at_low;
+    if (is_first)
+      for (const Rational& place : {number - middle_of(at_low, at_high), number + middle_of(at_low, at_high)})
+        if (!is_exact_ && is(place)) set(place);
+    if (!is_exact_) narrow();
+  }
+}
+
+double ExactEased::error_ulp(double value, const Format& format) {
+  const double absolute = error(value);
+  if (is_exact_ && low_.numerator == 0) return std::ldexp(absolute, static_cast<int>(-format.lowest_exponent));
+  while (!is_exact_ && (sgn(low_.numerator) * sgn(high_.numerator) <= 0 || floor_log2(low_) != floor_log2(high_)))
+    narrow();
+  const long exponent = std::max(floor_log2(low_) - (format.precision - 1), format.lowest_exponent);
+  return std::ldexp(absolute, static_cast<int>(-exponent));
+}
+
+}  // namespace bezierbench::reference
