@@ -60,8 +60,8 @@ struct BatchKernel {
 template <class Scalar>
 BatchKernel<Scalar> find(const Target& target, const Kernel<Scalar>& kernel);
 
-/// How a target evaluates many curves, of degrees to max_degree_of_groups, at one t each; target_table.hpp describes the
-/// layout of a group.
+/// How a target evaluates many curves, of degrees to max_degree_of_groups, at one t each; target_table.hpp describes
+/// the layout of a group.
 template <class Scalar>
 struct GroupKernel {
   ConvertGroup<Scalar> convert = nullptr;    ///< null where the curve is evaluated as given, or by exact integers
