@@ -14,6 +14,7 @@ namespace {
 
 struct Flatten {
   static constexpr Problem problem = Problem::flattening;
+  static constexpr const char* control_points_help = "print the chords of the first method, as a set of curves";
   static std::vector<std::string> columns() {
     return {"method",        "chords", "least_low", "least_high", "distance_low",
             "distance_high", "kept",   "complete",  "evaluations"};
