@@ -11,7 +11,7 @@ from .findings.roster import find_all
 from .fixture.times import COMPANIONS
 
 CHAPTERS = {**{one.suite: one for one in ROSTER}, "evaluation": next(one for one in ROSTER if one.id == "timing")}
-PROBLEMS = ("derivative", "arc_length", "inverse_arc_length", "projection", "interpolation", "fitting", "subdivision", "grid", "bspline", "evaluation")
+PROBLEMS = ("derivative", "arc_length", "inverse_arc_length", "projection", "interpolation", "fitting", "subdivision", "grid", "bspline", "bounds", "evaluation")
 
 
 def _blocks(change=None, problems=PROBLEMS):

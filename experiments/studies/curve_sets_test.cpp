@@ -14,7 +14,9 @@ namespace bezierbench::studies {
 namespace {
 
 suite::Study study_of_two_curves(const suite::Kind& kind) {
-  const std::array<double, 8> outline{604, 1010, 604, 1010.5, 622, 1013, 640, 1009};
+  const bool eases = kind.id.starts_with("easing");
+  const auto outline = eases ? std::array<double, 8>{0, 0, 0.25, 0.1, 0.25, 1, 1, 1}
+                             : std::array<double, 8>{604, 1010, 604, 1010.5, 622, 1013, 640, 1009};
   const std::array<double, 6> curve{-3, 0.5, 1, 7, 2, 2};
   auto set = std::make_shared<sample::LoadedSet>();
   set->id = "two";
@@ -31,8 +33,9 @@ suite::Study study_of_two_curves(const suite::Kind& kind) {
   if (suite::find_field(kind, "points") != nullptr) study.points = {9};
   if (suite::find_field(kind, "tolerance") != nullptr) study.tolerance = {1e-6};
   if (suite::find_field(kind, "budget") != nullptr) study.budget = 50;
-  if (kind.id == "exhaustive") study.t_interval = {{0x1.ffcp-2, 0x1p-1}};
+  if (kind.id == "exhaustive" || kind.id == "easing_floats") study.t_interval = {{0x1.ffcp-2, 0x1p-1}};
   if (kind.id == "exhaustive" || kind.id == "search" || kind.id == "guarantees") study.methods = {"de_casteljau"};
+  if (eases) study.methods = {"easing_halley"};
   return study;
 }
 
@@ -58,7 +61,7 @@ TEST(CurveSets, EveryKindWhoseInputsAreCurvesTakesThem) {
       }
     EXPECT_GT(rows, 0U);
   }
-  EXPECT_EQ(taken, 11U) << "a new kind either takes curve sets or says why not";
+  EXPECT_EQ(taken, 15U) << "a new kind either takes curve sets or says why not";
 }
 
 /// On one curve, whose size is 36.

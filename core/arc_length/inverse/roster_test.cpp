@@ -194,7 +194,7 @@ TEST(SourceDocument, AQuarterOfTheLengthIsNotAtAQuarterOfT) {
     return length(t) / length(1);
   };
   EXPECT_NEAR(share(0.25), 0.1758, 1e-4);
-  EXPECT_NEAR(share(0.4), 0.3210, 1e-4);
+  EXPECT_NEAR(share(0.4), 0.2970, 1e-4);
   EXPECT_NEAR(share(0.2), 0.1388, 1e-4);
   const double whole = LengthAlong(view(parabola)).whole().convert_to<double>();
   for (const auto& info : {BracketedNewton::info, Halley::info}) {

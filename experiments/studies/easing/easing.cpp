@@ -30,6 +30,7 @@ void fill_trial(const EasingCurve<double>& curve, double t, std::uint64_t number
   for (std::size_t k = 0; k <= parts; ++k) trial.x.push_back(static_cast<Scalar>(k) / static_cast<Scalar>(parts));
   trial.on_grid = neighbours + 1 + static_cast<std::size_t>(number % (parts - 1));
   trial.truth.clear();
+  if (!std::isfinite(trial.curve.y1) || !std::isfinite(trial.curve.y2)) return;  // beyond the largest float
   for (const std::size_t k : {std::size_t{0}, trial.on_grid})
     trial.truth.emplace_back(trial.curve.x1, trial.curve.y1, trial.curve.x2, trial.curve.y2, trial.x[k]);
 }
@@ -123,6 +124,10 @@ void EasingProblem::judge(const Kernel& method, Drawn& drawn, double /*tolerance
                           std::uint64_t number, Errors& errors) {
   errors.monotone_trials += rises(drawn.in_double.curve) ? 1 : 0;
   judge_scalar<double>(method, drawn.in_double, answer.eased, number, errors.in_double);
+  if (drawn.in_float.truth.empty()) {
+    ++errors.in_float.non_finite;
+    return;
+  }
   std::vector<Eased<float>> eased(drawn.in_float.x.size());
   method.ease_float(drawn.in_float.curve, drawn.in_float.x, eased.data());
   judge_scalar<float>(method, drawn.in_float, eased, number, errors.in_float);

@@ -96,6 +96,7 @@ std::vector<suite::Study> one_of_each() {
 suite::Study study_for(Problem problem, const std::string& methods) {
   switch (problem) {
     case Problem::derivative: return derivatives({methods});
+    case Problem::flattening:
     case Problem::arc_length:
     case Problem::inverse_arc_length: return lengths({methods});
     case Problem::interpolation: return splines({methods});
