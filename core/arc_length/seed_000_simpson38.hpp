@@ -8,10 +8,9 @@
 // Cost: 12 speeds per panel and its halves, as printed; 3 would do, since 4 of the 7 abscissae are those of the panel.
 // Bound: none. The printed test holds the error below eps only where the fourth derivative of f hardly varies over the
 //   panel, so this method states no estimate and `converged` is always false.
-// Fails: of 20,000 random cubics in the plane 38 % are off by more than a tolerance of 1e-3, and 15 % by more than one
-//   of 1e-4, by up to 400 times as much: on the first panels the sums agree by accident. A turn between two abscissae
-//   changes no sum: the numbers 1, 18, 0, 19 turn back between t = 17/36 and 1/2, their length is 18 + 1/648, and all
-//   sums are 18.
+// Fails: the error exceeds the tolerance where the sums of the first panels agree by accident; the finding
+//   arc_length_as_printed counts such cells. The curve with the control points 1, 18, 0, 19 on one axis turns back
+//   between t = 17/36 and 1/2, between two abscissae: its length is 18 + 1/648, and every sum is 18.
 #pragma once
 
 #include <algorithm>
