@@ -58,8 +58,7 @@ TEST(ChordDistance, OfAPieceIsThatOfItsParameters) {
   EXPECT_GE(judgement.distance.high, distance);
 }
 
-/// The curve is the segment from (0, 0) to (1, 0), and the chord goes on to (2, 0): the end of the chord is 1 from the
-/// nearest point of the curve, although every point of the curve lies on the chord.
+/// The chord goes on to (2, 0), 1 beyond the end of the curve, although every point of the curve lies on the chord.
 TEST(ChordDistance, CountsTheEndsOfTheChord) {
   const std::vector<double> line{0, 0, 1, 0};
   const std::vector<double> longer{2, 0};
