@@ -27,6 +27,14 @@ struct Eased {
 /// No loop takes more steps: published ones that would not end are ended here.
 inline constexpr int most_easing_steps = 1000;
 
+/// Of a method that solves the curve as it is given.
+struct EasingAsGiven {
+  template <class Scalar>
+  static const EasingCurve<Scalar>& prepare(const EasingCurve<Scalar>& curve) {
+    return curve;
+  }
+};
+
 /// `solve(prepared, x)` takes x in [0, 1] and neither allocates, prints nor throws; correctly_rounded alone may
 /// allocate.
 template <class M, class Scalar>

@@ -16,7 +16,7 @@
 
 namespace bezierbench {
 
-struct EasingHalley {
+struct EasingHalley : EasingAsGiven {
   static constexpr MethodInfo info{.id = "easing_halley",
                                    .label = "Halley in a bracket",
                                    .problem = Problem::easing,
@@ -24,11 +24,6 @@ struct EasingHalley {
                                    .max_degree = 3,
                                    .flops = "40 per step",
                                    .citation = "[Traub 1964], section 5.2; [Press et al. 2007], section 9.4"};
-
-  template <class Scalar>
-  static EasingCurve<Scalar> prepare(const EasingCurve<Scalar>& curve) {
-    return curve;
-  }
 
   template <class Scalar>
   static Eased<Scalar> solve(const EasingCurve<Scalar>& curve, Scalar x) {

@@ -16,7 +16,7 @@
 
 namespace bezierbench {
 
-struct EasingItp {
+struct EasingItp : EasingAsGiven {
   static constexpr MethodInfo info{.id = "easing_itp",
                                    .label = "ITP in a bracket",
                                    .problem = Problem::easing,
@@ -24,11 +24,6 @@ struct EasingItp {
                                    .max_degree = 3,
                                    .flops = "20 per step",
                                    .citation = "[Oliveira and Takahashi 2021], algorithm 1"};
-
-  template <class Scalar>
-  static EasingCurve<Scalar> prepare(const EasingCurve<Scalar>& curve) {
-    return curve;
-  }
 
   template <class Scalar>
   static Eased<Scalar> solve(const EasingCurve<Scalar>& curve, Scalar x) {
