@@ -59,6 +59,11 @@ def measures(kind):
 
 
 @functools.cache
+def faults(kind):
+    """The columns in which a count above 0 speaks against a method of this kind that is to be chosen."""
+    return tuple(table(f"{kind}.csv")["timed"]["faults"])
+
+
 def timed():
     """{problem: what is declared of its times}: what one is of (`unit`, in Chinese `unit_zh`), the axis that runs `across` their
     tables, and when an answer is `right`."""

@@ -87,6 +87,14 @@ DeclaredTable table_of(const std::string& file, const Json& part) {
                       .columns = {}};
   for (const auto& [name, column] : declared.find("items")->at("properties").items())
     table.columns.push_back(column_of(name, column, table.is_deterministic));
+  if (const Json* timed = declared.find("timed")) {
+    table.faults = timed->value("faults", table.faults);
+    table.within_tolerance = timed->value("within_tolerance", std::string());
+  }
+  if (const Json* measures = declared.find("measures"); measures != nullptr && !measures->empty()) {
+    table.measure = measures->begin().key();
+    table.measure_words = measures->begin().value();
+  }
   return table;
 }
 

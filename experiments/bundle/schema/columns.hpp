@@ -24,6 +24,11 @@ struct DeclaredTable {
   std::string study;              ///< name of the column with the study of a row
   std::string method;             ///< name of the column with the method of a row; empty without one
   std::vector<Column> columns;    ///< in the order of the file
+  /// The columns in which a count above 0 speaks against a method that is to be chosen; empty where none can be chosen.
+  std::vector<std::string> faults = {};
+  std::string within_tolerance = {};  ///< name of the column that must not exceed the tolerance; empty without one
+  std::string measure = {};           ///< name of the first column that figures show; empty without one
+  std::string measure_words = {};     ///< what it is, with its unit
 
   /// The column of this name; null where none is declared.
   [[nodiscard]] const Column* column(std::string_view name) const;

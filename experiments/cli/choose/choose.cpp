@@ -14,6 +14,8 @@
 
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/csv.hpp"
+#include "experiments/cli/choose/choice_text.hpp"
+#include "experiments/cli/choose/choose_companion.hpp"
 #include "experiments/cli/choose/choose_on_curves.hpp"
 #include "experiments/cli/choose/class_choice.hpp"
 #include "experiments/cli/commands/commands.hpp"
@@ -45,6 +47,7 @@ struct Wish {
   std::string unit = "u";
   std::optional<std::string> range_text;
   std::optional<double> range;
+  std::string problem;
   std::string form = "bernstein";
   std::string mode = "point";
   std::string scalar = "double";
@@ -101,9 +104,6 @@ std::string timed_curves(const JudgedRace& race) {
   constexpr std::size_t generator = 3;
   return generator < race.group.drawn.size() ? fmt::format("{}, {}", text, race.group.drawn[generator]) : text;
 }
-
-/// The value to four digits, for people.
-std::string brief(double value) { return fmt::format("{:.4g}", value); }
 
 /// The command that makes a bundle in which such a choice can be made, as the end of a message. Empty where no suite
 /// that comes with the program has errors and times of such methods.
@@ -226,16 +226,6 @@ std::vector<Candidate> candidates_of(const JudgedRace& race, const Wish& wish) {
     candidates.push_back(one);
   }
   return candidates;
-}
-
-/// Lines in the width of the terminal, those after the first four characters to the right.
-std::string paragraph(const std::string& text) { return wrapped("", printable(text), 4); }
-std::string indented(const std::string& text) { return wrapped("  ", printable(text), 4); }
-
-/// `0.244 [0.24, 0.25]`, or the time alone where there is no ratio.
-std::string ratio_text(const Choice& choice) {
-  if (!choice.ratio) return "";
-  return fmt::format("{:.3g} [{:.3g}, {:.3g}]", choice.ratio->median, choice.ratio->low, choice.ratio->high);
 }
 
 std::string in_few_words(const Candidate& one, const Wish& wish) {
@@ -391,7 +381,16 @@ Exit choose_on_curves(Wish wish) {
                  .format = wish.format});
 }
 
+/// What --problem ranks. Throws Failure(usage) for a missing or unfit option.
+Exit choose_companion(const Wish& wish) {
+  if (wish.bundle.empty() || !wish.degree_text) throw Failure(Exit::usage, "--problem: must come with BUNDLE and --degree");
+  return choose_companion(CompanionWish{wish.bundle, wish.problem, *wish.degree_text, wish.tolerance_text, wish.form,
+                                        wish.scalar, std::to_string(wish.dimension), wish.study, wish.accuracy_study,
+                                        wish.format});
+}
+
 Exit choose(Wish wish) {
+  if (!wish.problem.empty()) return choose_companion(wish);
   if (!wish.curves.empty()) return choose_on_curves(std::move(wish));
   for (const auto& [option, is_missing] :
        {std::pair("BUNDLE", wish.bundle.empty()), std::pair("--degree", !wish.degree_text),
@@ -435,6 +434,10 @@ void add_choose(Command program, Exit& exit) {
       .one_of({"u", "ulp", "coordinate", "size"});
   command.flag("--measure", wish->measure,
                "with --curves: measure times instead of taking those of the shipped answers");
+  command
+      .option("--problem", wish->problem,
+              "rank the methods of a companion problem instead of evaluators; --tolerance is then that of its study")
+      .one_of(companion_problems());
   command.option("--range", wish->range_text, "R of coordinates in [-R, R]; default: that of the timed curves");
   command.option("--form", wish->form, "form of the given curves").one_of(suite::all_words<Form>());
   command.option("--mode", wish->mode, "mode of the times").one_of(suite::all_words<suite::Mode>());

@@ -244,6 +244,33 @@ class Choose(Case):
         self.list_anew("b")
         self.refused(USAGE, [*asked, "8"], "does not have times")
 
+    def test_ranks_the_methods_of_a_companion_problem(self):
+        """Those without a fault first, each part the fastest first; the quadratic formula in floating point is a little inside."""
+        methods = ["control_box", "quadratic_formula_box", "exact_box"]
+        both = ['curve = "bernstein"', 'degree = [3]', f"methods = {methods}".replace("'", '"')]
+        (self.folder / "boxes.toml").write_text("\n".join(HEAD + [
+            '[[study]]', 'id = "boxes"', 'kind = "bounds"', 'trials = 300', *both,
+            '[[study]]', 'id = "race"', 'kind = "timing"', 'modes = ["one_shot"]', *both]) + "\n")
+        self.fine("run", "boxes.toml", "--out", "boxes", "--quiet")
+        with open(self.folder / "boxes/bounds.csv", newline="") as file:
+            judged = {row["method"]: row for row in csv.DictReader(file)}
+        asked = ["choose", "boxes", "--problem", "bounds", "--degree"]
+        rows = list(csv.DictReader(io.StringIO(self.fine(*asked, "3", "--format", "csv"))))
+        self.assertEqual({row["method"] for row in rows}, set(methods))
+        wrong = [int(judged[row["method"]]["too_small"]) for row in rows]
+        self.assertEqual([row["faults"] for row in rows], [f"too_small {count}" if count else "" for count in wrong])
+        self.assertEqual((wrong[:2], wrong[2] > 0), ([0, 0], True))
+        self.assertLess(float(rows[0]["ns"]), float(rows[1]["ns"]))
+        self.assertEqual([row["pareto"] for row in rows], ["yes", "yes", "no"])
+        for row in rows:
+            self.assertEqual(row["mean_excess_size"], judged[row["method"]]["mean_excess_size"])
+        self.assertIn(f"{rows[0]['method']}, the fastest of 2 (of 3) without a fault in 300 trials", self.fine(*asked, "3"))
+        self.assert_fits(*asked, "3")
+        self.refused(USAGE, [*asked, "4"], "no method of bounds was judged at degree 4; available: 3")
+        self.refused(USAGE, [*asked, "3", "--tolerance", "1"], "bounds has no tolerance")
+        self.refused(USAGE, ["choose", "boxes", "--problem", "flattening", "--degree", "3"], "does not have both flattening.csv and times")
+        self.refused(USAGE, ["choose", "--problem", "bounds", "--degree", "3"], "must come with BUNDLE")
+
     def test_damage_is_refused(self):
         path = self.folder / "b/accuracy.csv"
         path.write_text(path.read_text() + path.read_text().splitlines()[-1] + "\n")
