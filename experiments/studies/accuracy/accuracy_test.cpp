@@ -11,11 +11,10 @@
 
 #include "core/batch/batch.hpp"
 #include "core/evaluate/kernel/kernel.hpp"
-#include "experiments/failure.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/workspace.hpp"
 #include "experiments/sample/draw.hpp"
-#include "experiments/studies/roster.hpp"
+#include "experiments/studies/study_test.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/number/number.hpp"
 
@@ -23,9 +22,7 @@ namespace bezierbench::studies {
 namespace {
 
 suite::Study small_accuracy_study() {
-  suite::Study study;
-  study.kind = &accuracy_kind.asks;
-  study.id = "small";
+  auto study = small_study("accuracy");
   study.degree = {3, 171};
   study.generator = {"continuous"};
   study.methods = {"direct", "de_casteljau", "direct_pow"};
@@ -33,12 +30,6 @@ suite::Study small_accuracy_study() {
   study.replicates = 2;
   study.baseline = {"exact", "direct"};
   return study;
-}
-
-std::string text_of(const run::Job& job, const std::string& file) {
-  tables::Tables tables;
-  job.write(tables);
-  return tables.all().at(file).text();
 }
 
 /// Through bytes and back, as a result that another process picks up.
@@ -71,7 +62,7 @@ TEST(Accuracy, OrderThreadsAndInterruptionsChangeNoByte) {
     });
   for (auto& thread : threads) thread.join();
   for (const std::string file : {"accuracy.csv", "unstable.csv"})
-    EXPECT_EQ(text_of(*plain, file), text_of(*shuffled, file));
+    EXPECT_EQ(run::text_of(*plain).at(file), run::text_of(*shuffled).at(file));
   ASSERT_EQ(plain->series().size(), shuffled->series().size());
   for (std::size_t k = 0; k < plain->series().size(); ++k)
     EXPECT_EQ(plain->series()[k].values, shuffled->series()[k].values);
@@ -121,9 +112,7 @@ TEST(Accuracy, RowsAreTheErrorsOfTheTrials) {
 }
 
 TEST(Accuracy, SaysWhereADegreeIsNotSupported) {
-  const auto job = make_job(small_accuracy_study(), {1});
-  run::run_all(*job);
-  const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
+  const auto csv = rows_of(small_accuracy_study(), "accuracy.csv");
   int unsupported = 0;
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     if (csv.at(row, "degree") != "171") {
@@ -153,7 +142,7 @@ TEST(Accuracy, UlpsAreOfTheLengthOfThePoint) {
   study.replicates = 1;
   const auto job = make_job(study, {5});
   run::run_all(*job);
-  const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
+  const auto csv = bundle::parse_csv(run::text_of(*job).at("accuracy.csv"), "accuracy.csv");
   sample::Trial trial;
   sample::draw(5, sample::key(study.id), {Form::bernstein, 2, 9, 1, {}, "continuous"}, 0, trial);
   reference::ExactCurve exact;
@@ -164,7 +153,7 @@ TEST(Accuracy, UlpsAreOfTheLengthOfThePoint) {
   const double error = *number::parse_number(csv.at(0, "max_error"));
   EXPECT_GT(error, 0);
   EXPECT_NEAR(*number::parse_number(csv.at(0, "max_error_ulp")) / (error / ulp), 1, 0x1p-20);
-  const auto audit = bundle::parse_csv(text_of(*job, "audit.csv"), "audit.csv");
+  const auto audit = bundle::parse_csv(run::text_of(*job).at("audit.csv"), "audit.csv");
   EXPECT_TRUE(audit.has_column("max_axis_error_ulp"));
   EXPECT_FALSE(audit.has_column("max_error_ulp"));
 }
@@ -172,8 +161,8 @@ TEST(Accuracy, UlpsAreOfTheLengthOfThePoint) {
 TEST(Accuracy, LibmMethodsStayOutOfTheDigest) {
   const auto job = make_job(small_accuracy_study(), {1});
   run::run_all(*job);
-  EXPECT_EQ(text_of(*job, "accuracy.csv").find("direct_pow"), std::string::npos);
-  EXPECT_NE(text_of(*job, "unstable.csv").find("direct_pow"), std::string::npos);
+  EXPECT_EQ(run::text_of(*job).at("accuracy.csv").find("direct_pow"), std::string::npos);
+  EXPECT_NE(run::text_of(*job).at("unstable.csv").find("direct_pow"), std::string::npos);
 }
 
 TEST(Accuracy, FloatIsJudgedInItsOwnUnit) {
@@ -182,9 +171,7 @@ TEST(Accuracy, FloatIsJudgedInItsOwnUnit) {
   study.scalar = {suite::ScalarKind::float32, suite::ScalarKind::float64};
   study.methods = {"de_casteljau"};
   study.baseline = {"exact"};
-  const auto job = make_job(study, {1});
-  run::run_all(*job);
-  const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
+  const auto csv = rows_of(study, "accuracy.csv");
   ASSERT_EQ(csv.row_count(), 2U);
   const double float_error = *number::parse_number(csv.at(0, "mean_error"));
   const double double_error = *number::parse_number(csv.at(1, "mean_error"));
@@ -205,10 +192,7 @@ TEST(Accuracy, RationalCurvesKeepTheirBounds) {
   study.scalar = {suite::ScalarKind::float32, suite::ScalarKind::float64};
   study.trials = 500;
   study.decomposed_trials = 50;
-  const auto job = make_job(study, {1});
-  run::run_all(*job);
-  EXPECT_TRUE(job->violations().empty());
-  const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
+  const auto csv = rows_of(study, "accuracy.csv");
   std::size_t bounded = 0;
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     EXPECT_EQ(csv.at(row, "non_finite"), "0");
@@ -250,7 +234,7 @@ TEST(Accuracy, CountsTrialsWithoutABound) {
   }
   EXPECT_GT(outside, 0);
   EXPECT_LT(outside, 400);
-  const auto csv = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
+  const auto csv = bundle::parse_csv(run::text_of(*job).at("accuracy.csv"), "accuracy.csv");
   std::map<std::string, std::string> counts;
   for (std::size_t row = 0; row < csv.row_count(); ++row)
     counts[csv.at(row, "method")] = csv.at(row, "unbounded_trials");
@@ -265,7 +249,7 @@ TEST(Accuracy, CountsTrialsOfTheKernelThatIsTimed) {
   study.degree = {3};
   const auto job = make_job(study, {5});
   run::run_all(*job);
-  const auto csv = bundle::parse_csv(text_of(*job, "reference.csv"), "reference.csv");
+  const auto csv = bundle::parse_csv(run::text_of(*job).at("reference.csv"), "reference.csv");
   ASSERT_EQ(csv.row_count(), 3U);
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     const bool in_groups = csv.at(row, "method") != "direct_pow" && !batch::usable_targets().empty();
@@ -280,8 +264,8 @@ TEST(Accuracy, KeepsTheWorstTrial) {
   study.baseline = {"exact"};
   const auto job = make_job(study, {5});
   for (std::size_t block = job->blocks(); block-- > 0;) job->add(job->part_of(block), job->run_block(block));
-  const auto rows = bundle::parse_csv(text_of(*job, "accuracy.csv"), "accuracy.csv");
-  const auto worst = bundle::parse_csv(text_of(*job, "worst.csv"), "worst.csv");
+  const auto rows = bundle::parse_csv(run::text_of(*job).at("accuracy.csv"), "accuracy.csv");
+  const auto worst = bundle::parse_csv(run::text_of(*job).at("worst.csv"), "worst.csv");
   ASSERT_EQ(worst.row_count(), 2U);  // direct_pow is not bit-stable
   for (std::size_t row = 0; row < worst.row_count(); ++row) {
     EXPECT_EQ(worst.at(row, "worst_id"), "w" + std::to_string(row + 1));
@@ -320,8 +304,8 @@ TEST(Accuracy, TiersAgreeByteForByte) {
     run::run_all(*exact);
     run::run_all(*certified);
     for (const std::string file : {"accuracy.csv", "worst.csv", "audit.csv"})
-      EXPECT_EQ(text_of(*exact, file), text_of(*certified, file)) << file;
-    const auto reference = bundle::parse_csv(text_of(*certified, "reference.csv"), "reference.csv");
+      EXPECT_EQ(run::text_of(*exact).at(file), run::text_of(*certified).at(file)) << file;
+    const auto reference = bundle::parse_csv(run::text_of(*certified).at("reference.csv"), "reference.csv");
     std::int64_t kept = 0;
     for (std::size_t row = 0; row < reference.row_count(); ++row) {
       kept += 70 - number::parse_integer(reference.at(row, "escalated")).value();

@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/failure.hpp"
-#include "experiments/run/job_test.hpp"
-#include "experiments/studies/roster.hpp"
+#include "experiments/studies/study_test.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
@@ -16,15 +14,13 @@ namespace {
 
 /// A small study of the kind.
 suite::Study small_length_study(std::string_view id, std::vector<std::string> generators) {
-  suite::Study study;
-  study.id = "small";
-  study.kind = &kind(id);
+  auto study = small_study(id);
   study.tolerance = {1e-3, 1e-9};
   study.degree = {3};
   study.coordinate_range = {1};
   study.t_interval = {{0, 1}, {0.25, 0.75}};
   study.generator = std::move(generators);
-  study.trials = 20;  // two blocks, the last one short
+  study.trials = 20;
   return study;
 }
 
@@ -38,29 +34,12 @@ void expect_kept(const bundle::CsvDocument& csv, std::size_t row) {
   }
 }
 
-void expect_refusals(run::MakeJob make, const suite::Study& good) {
-  auto polynomial = good;
-  polynomial.form = Form::power;
-  EXPECT_THROW(make(polynomial, {1}), Failure);
-  auto single = good;
-  single.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(make(single, {1}), Failure);
-  auto outside = good;
-  outside.t_interval = {{-1, 1}};
-  EXPECT_THROW(make(outside, {1}), Failure);
-  auto evaluator = good;
-  evaluator.methods = {"de_casteljau"};
-  EXPECT_THROW(make(evaluator, {1}), Failure);
-}
-
 /// Small whole numbers as coordinates give cusps, curves that turn back and curves that are a point.
 suite::Study small_arc_length_study() { return small_length_study("arc_length", {"continuous", "integer"}); }
 
-TEST(ArcLengthStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
-  const auto tables = run::expect_order_changes_nothing(make_job, small_arc_length_study());
-  const auto csv = bundle::parse_csv(tables.at("arc_length.csv"), "arc_length.csv");
+TEST(ArcLengthStudy, PromisesAreKept) {
+  const auto csv = rows_of(small_arc_length_study(), "arc_length.csv");
   ASSERT_EQ(csv.row_count(), 2U * 2 * 2 * 6);
-  EXPECT_EQ(make_job(small_arc_length_study(), {1})->extent().rows, csv.row_count());
   for (std::size_t row = 0; row < csv.row_count(); ++row) expect_kept(csv, row);
 }
 
@@ -84,17 +63,14 @@ TEST(ArcLengthStudy, SaysWhichTruthIsNotCertain) {
   }
 }
 
-TEST(ArcLengthStudy, RefusesWhatItCannotDo) { expect_refusals(make_job, small_arc_length_study()); }
-
 suite::Study small_inverse_arc_length_study() {
   auto study = small_length_study("inverse_arc_length", {"cusp", "integer"});
   study.t_interval = {{0.25, 0.75}};  // true parameters take longer than true lengths
   return study;
 }
 
-TEST(InverseArcLengthStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
-  const auto tables = run::expect_order_changes_nothing(make_job, small_inverse_arc_length_study());
-  const auto csv = bundle::parse_csv(tables.at("inverse_arc_length.csv"), "inverse_arc_length.csv");
+TEST(InverseArcLengthStudy, PromisesAreKept) {
+  const auto csv = rows_of(small_inverse_arc_length_study(), "inverse_arc_length.csv");
   ASSERT_EQ(csv.row_count(), 2U * 2 * 4);
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     expect_kept(csv, row);
@@ -111,9 +87,7 @@ TEST(InverseArcLengthStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept)
 TEST(InverseArcLengthStudy, WritesOneCurveWithBothSpacings) {
   auto study = small_inverse_arc_length_study();
   study.trials = 1;
-  const auto job = make_job(study, {1});
-  run::run_all(*job);
-  const auto csv = bundle::parse_csv(run::text_of(*job).at("spacing.csv"), "spacing.csv");
+  const auto csv = rows_of(study, "spacing.csv");
   ASSERT_EQ(csv.row_count(), 201U + 21 + 21);
   double widest = 0;
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
@@ -135,8 +109,5 @@ TEST(InverseArcLengthStudy, WritesOneCurveWithBothSpacings) {
   EXPECT_GT(widest, 1.5);
 }
 
-TEST(InverseArcLengthStudy, RefusesWhatItCannotDo) { expect_refusals(make_job, small_inverse_arc_length_study()); }
-
 }  // namespace
-
 }  // namespace bezierbench::studies

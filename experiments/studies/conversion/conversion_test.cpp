@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "experiments/failure.hpp"
-#include "experiments/run/job_test.hpp"
-#include "experiments/studies/roster.hpp"
+#include "experiments/studies/study_test.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
-bundle::CsvDocument conversion_rows_of(const suite::Study& study) {
-  const auto job = make_job(study, {1});
-  run::run_all(*job);
-  tables::Tables tables;
-  job->write(tables);
-  return bundle::parse_csv(tables.all().at("conversion.csv").text(), "conversion.csv");
-}
-
 suite::Study conversion_study_of(std::vector<std::string> methods) {
-  suite::Study study;
-  study.id = "round_trip";
-  study.kind = &kind("conversion");
+  auto study = small_study("conversion", std::move(methods));
   study.degree = {1, 3, 10};
   study.coordinate_range = {1e6};
-  study.methods = std::move(methods);
   study.trials = 10;
   study.replicates = 3;
   return study;
@@ -33,7 +20,7 @@ suite::Study conversion_study_of(std::vector<std::string> methods) {
 TEST(Conversion, IntegerPointsComeBackExactly) {
   auto study = conversion_study_of({"factorial+forward_substitution+factorial"});
   study.generator = {"integer"};
-  const auto csv = conversion_rows_of(study);
+  const auto csv = rows_of(study, "conversion.csv");
   ASSERT_EQ(csv.row_count(), 3U);
   for (std::size_t row = 0; row < 3; ++row) {
     EXPECT_EQ(csv.at(row, "max_error"), "0");
@@ -43,7 +30,7 @@ TEST(Conversion, IntegerPointsComeBackExactly) {
 }
 
 TEST(Conversion, OneConversionIsJudgedAgainstTheExactOne) {
-  const auto csv = conversion_rows_of(conversion_study_of({"exact", "factorial"}));
+  const auto csv = rows_of(conversion_study_of({"exact", "factorial"}), "conversion.csv");
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     const double worst = *number::parse_number(csv.at(row, "max_error"));
     // A rounded coefficient is off by half an ulp of at most 3^n 1e6, on each of two axes.
@@ -62,7 +49,7 @@ TEST(Conversion, AChainMustStartFromTheFormOfTheCurve) {
 TEST(Conversion, SaysWhereADegreeIsNotSupported) {
   auto study = conversion_study_of({"factorial"});
   study.degree = {171};
-  const auto csv = conversion_rows_of(study);
+  const auto csv = rows_of(study, "conversion.csv");
   EXPECT_EQ(csv.at(0, "status"), "degree_unsupported");
   EXPECT_EQ(csv.at(0, "mean_error"), "");
 }

@@ -9,15 +9,13 @@
 #include <memory>
 
 #include "core/evaluate/kernel/kernel.hpp"
-#include "experiments/failure.hpp"
 #include "experiments/judge/workspace.hpp"
 #include "experiments/sample/curve_slice.hpp"
 #include "experiments/studies/exhaustive/float_curve.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
-#include "experiments/studies/roster.hpp"
+#include "experiments/studies/study_test.hpp"
 #include "reference/curves/read.hpp"
 #include "reference/exact_curve.hpp"
-#include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -43,25 +41,11 @@ FloatCurve curve_of(const suite::Study& study, std::string_view id) {
 }
 
 suite::Study small_exhaustive_study() {
-  suite::Study study;
-  study.id = "every";
-  study.kind = &kind("exhaustive");
+  auto study = small_study("exhaustive");
   take(study, {"glyph_tail", "wilkinson_3"});
   study.methods = {"de_casteljau", "de_casteljau_lerp", "differences:horner", "correctly_rounded"};
   study.t_interval = {few};
   return study;
-}
-
-bundle::CsvDocument table_of(const suite::Study& study) {
-  const auto job = make_job(study, {1});
-  run::run_all(*job);
-  tables::Tables tables;
-  job->write(tables);
-  return bundle::parse_csv(tables.all().at("exhaustive.csv").text(), "exhaustive.csv");
-}
-
-double value(const bundle::CsvDocument& table, std::size_t row, std::string_view column) {
-  return number::parse_number(table.at(row, column)).value();
 }
 
 /// What the row of a method says, found in integers by the definitions of its columns.
@@ -108,7 +92,7 @@ FloatTally by_definition(const FloatCurve& curve, const Kernel<float>& kernel, c
 
 TEST(Exhaustive, RowsAreWhatTheIntegersSay) {
   const auto study = small_exhaustive_study();
-  const auto table = table_of(study);
+  const auto table = rows_of(study, "exhaustive.csv");
   const auto range = floats_in(few);
   ASSERT_TRUE(range);
   ASSERT_EQ(table.row_count(), 8U);
@@ -118,45 +102,44 @@ TEST(Exhaustive, RowsAreWhatTheIntegersSay) {
     ASSERT_NE(kernel, nullptr);
     const FloatTally expected = by_definition(curve, *kernel, *range);
     const auto what = curve.id + " " + table.at(row, "method");
-    EXPECT_EQ(value(table, row, "max_error_ulp"), expected.max_error) << what;
-    EXPECT_EQ(value(table, row, "worst_t"), double{float_of(expected.worst_t)}) << what;
-    EXPECT_EQ(value(table, row, "misrounded"), static_cast<double>(expected.misrounded)) << what;
-    EXPECT_EQ(value(table, row, "out_of_hull"), static_cast<double>(expected.out_of_hull)) << what;
-    EXPECT_EQ(value(table, row, "points"), static_cast<double>(range->count()));
+    EXPECT_EQ(run::number_at(table, row, "max_error_ulp"), expected.max_error) << what;
+    EXPECT_EQ(run::number_at(table, row, "worst_t"), double{float_of(expected.worst_t)}) << what;
+    EXPECT_EQ(run::number_at(table, row, "misrounded"), static_cast<double>(expected.misrounded)) << what;
+    EXPECT_EQ(run::number_at(table, row, "out_of_hull"), static_cast<double>(expected.out_of_hull)) << what;
+    EXPECT_EQ(run::number_at(table, row, "points"), static_cast<double>(range->count()));
     if (curve.id == "wilkinson_3")
       EXPECT_EQ(table.at(row, "non_monotone"), "");
     else
-      EXPECT_EQ(value(table, row, "non_monotone"), static_cast<double>(expected.non_monotone)) << what;
+      EXPECT_EQ(run::number_at(table, row, "non_monotone"), static_cast<double>(expected.non_monotone)) << what;
     if (kernel->info->id == "correctly_rounded")
-      EXPECT_EQ(value(table, row, "misrounded"), 0) << what;
+      EXPECT_EQ(run::number_at(table, row, "misrounded"), 0) << what;
     else
-      EXPECT_GT(value(table, row, "misrounded"), 0) << what;
+      EXPECT_GT(run::number_at(table, row, "misrounded"), 0) << what;
   }
 }
 
 /// More than one block, the last shorter: the steps between blocks count, and every point once.
 TEST(Exhaustive, BlocksChangeNothing) {
   auto study = small_exhaustive_study();
-  study.kind = &kind("exhaustive");
   take(study, {"hermite_value_1"});
   study.methods = {"horner_bernstein"};
   study.t_interval = {{0x1p-2, 0x1.8p-1}};
   const auto job = make_job(study, {1});
   ASSERT_GT(job->blocks_per_part(), 1U);
-  const auto whole = table_of(study);
+  const auto whole = rows_of(study, "exhaustive.csv");
   study.t_interval = {{0x1p-2, 0x1.fffffep-2}, {0x1p-1, 0x1.8p-1}};
-  const auto halves = table_of(study);
+  const auto halves = rows_of(study, "exhaustive.csv");
   ASSERT_EQ(halves.row_count(), 2U);
   for (const auto* column : {"points", "misrounded", "out_of_hull"})
-    EXPECT_EQ(value(whole, 0, column), value(halves, 0, column) + value(halves, 1, column));
-  EXPECT_GE(value(whole, 0, "non_monotone"), value(halves, 0, "non_monotone") + value(halves, 1, "non_monotone"));
-  EXPECT_EQ(value(whole, 0, "max_error_ulp"),
-            std::max(value(halves, 0, "max_error_ulp"), value(halves, 1, "max_error_ulp")));
+    EXPECT_EQ(run::number_at(whole, 0, column), run::number_at(halves, 0, column) + run::number_at(halves, 1, column));
+  EXPECT_GE(run::number_at(whole, 0, "non_monotone"),
+            run::number_at(halves, 0, "non_monotone") + run::number_at(halves, 1, "non_monotone"));
+  EXPECT_EQ(run::number_at(whole, 0, "max_error_ulp"),
+            std::max(run::number_at(halves, 0, "max_error_ulp"), run::number_at(halves, 1, "max_error_ulp")));
 }
 
 TEST(Exhaustive, RefusesSetsWithoutBezierCurvesAndEmptyIntervals) {
   auto study = small_exhaustive_study();
-  study.kind = &kind("exhaustive");
   take(study, {});
   EXPECT_THROW(make_job(study, {1}), Failure);
   take(study, {"css_ease"});

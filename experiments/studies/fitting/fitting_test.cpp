@@ -1,31 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "experiments/failure.hpp"
-#include "experiments/run/job_test.hpp"
 #include "experiments/sample/data_kind.hpp"
-#include "experiments/studies/roster.hpp"
+#include "experiments/studies/study_test.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
 suite::Study small_fitting_study() {
-  suite::Study study;
-  study.id = "small";
-  study.kind = &kind("fitting");
+  auto study = small_study("fitting");
   study.points = {3, 12};
   study.tolerance = {1e-2, 1e-9};
   study.degree = {3};
   study.generator = {"integer"};  // gives equal distances, turns and coinciding points
-  study.trials = 60;              // two blocks, the last one short
+  study.trials = 60;
   return study;
 }
 
-TEST(FittingStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
-  const auto files = run::expect_order_changes_nothing(make_job, small_fitting_study());
-  const auto csv = bundle::parse_csv(files.at("fitting.csv"), "fitting.csv");
+TEST(FittingStudy, PromisesAreKept) {
+  const auto csv = rows_of(small_fitting_study(), "fitting.csv");
   ASSERT_EQ(csv.row_count(), 2 * sample::data_kinds().size() * 2 * 2);
-  EXPECT_EQ(make_job(small_fitting_study(), {1})->extent().rows, csv.row_count());
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     for (const char* column : {"broken_promises", "understated", "non_converged", "non_finite"})
       EXPECT_EQ(csv.at(row, column), "0") << row << " " << column;
@@ -39,12 +33,9 @@ TEST(FittingStudy, OrderAndInterruptionsChangeNoByteAndPromisesAreKept) {
 TEST(FittingStudy, SaysWhatGivesItsSourceBack) {
   auto study = small_fitting_study();
   study.generator = {"continuous"};
-  study.kind = &kind("fitting");
   study.points = {12};
   study.tolerance = {1e-9};
-  const auto job = make_job(study, {1});
-  run::run_all(*job);
-  const auto csv = bundle::parse_csv(run::text_of(*job).at("fitting.csv"), "fitting.csv");
+  const auto csv = rows_of(study, "fitting.csv");
   ASSERT_EQ(csv.at(0, "data"), "samples");
   ASSERT_EQ(csv.at(0, "method"), "schneider");
   EXPECT_EQ(csv.at(0, "one_segment"), "0");
@@ -56,9 +47,7 @@ TEST(FittingStudy, ShowsAnExample) {
   auto study = small_fitting_study();
   study.points = {12};
   study.trials = 1;
-  const auto job = make_job(study, {1});
-  run::run_all(*job);
-  const auto csv = bundle::parse_csv(run::text_of(*job).at("fitting_example.csv"), "fitting_example.csv");
+  const auto csv = rows_of(study, "fitting_example.csv");
   std::size_t row = 0;
   for (const auto& kind : sample::data_kinds()) {
     const std::size_t data = row;
@@ -75,24 +64,6 @@ TEST(FittingStudy, ShowsAnExample) {
     }
   }
   EXPECT_EQ(row, csv.row_count());
-}
-
-TEST(FittingStudy, RefusesWhatItCannotDo) {
-  auto polynomial = small_fitting_study();
-  polynomial.form = Form::power;
-  EXPECT_THROW(make_job(polynomial, {1}), Failure);
-  auto single = small_fitting_study();
-  single.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(make_job(single, {1}), Failure);
-  auto point = small_fitting_study();
-  point.degree = {0};
-  EXPECT_THROW(make_job(point, {1}), Failure);
-  auto roots = small_fitting_study();
-  roots.generator = {"multiple_root"};
-  EXPECT_THROW(make_job(roots, {1}), Failure);
-  auto evaluator = small_fitting_study();
-  evaluator.methods = {"de_casteljau"};
-  EXPECT_THROW(make_job(evaluator, {1}), Failure);
 }
 
 }  // namespace

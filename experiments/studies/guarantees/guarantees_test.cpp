@@ -5,31 +5,21 @@
 #include <string>
 
 #include "experiments/judge/input_fields.hpp"
-#include "experiments/run/job_test.hpp"
 #include "experiments/studies/guarantees/search_for_counterexample.hpp"
-#include "experiments/studies/roster.hpp"
+#include "experiments/studies/study_test.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
 suite::Study small_guarantees_study() {
-  suite::Study study;
-  study.id = "small";
-  study.kind = &kind("guarantees");
+  auto study = small_study("guarantees");
   study.budget = 2000;
   study.scalar = {suite::ScalarKind::float64, suite::ScalarKind::float32};
   study.degree = {1, 3};
   study.methods = {"de_casteljau*", "horner_bernstein", "correctly_rounded", "direct_pow"};
   study.trials = 70000;  // two blocks, the last one short
   return study;
-}
-
-bundle::CsvDocument guarantees_table(const suite::Study& study, const std::string& file = "guarantees.csv") {
-  const auto job = make_job(study, {1});
-  run::run_all(*job);
-  EXPECT_TRUE(job->violations().empty());
-  return bundle::parse_csv(run::text_of(*job).at(file), file);
 }
 
 TEST(GuaranteesStudy, OrderAndInterruptionsChangeNoByte) {
@@ -45,7 +35,7 @@ TEST(GuaranteesStudy, DecidesWhatIsKnown) {
   auto study = small_guarantees_study();
   study.trials = 300;
   study.budget = 20000;
-  const auto table = guarantees_table(study);
+  const auto table = rows_of(study, "guarantees.csv");
   std::map<std::string, int> verdicts;
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     ++verdicts[std::string(table.at(row, "verdict"))];
@@ -77,7 +67,7 @@ TEST(GuaranteesStudy, CounterexamplesAreReplayed) {
   auto study = small_guarantees_study();
   study.scalar = {suite::ScalarKind::float64};
   study.trials = 300;
-  const auto table = guarantees_table(study);
+  const auto table = rows_of(study, "guarantees.csv");
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     if (table.at(row, "verdict") != "refuted") continue;
     sample::Cell cell;
@@ -99,7 +89,7 @@ TEST(GuaranteesStudy, UnstableMethodsAreInNoDigest) {
   auto study = small_guarantees_study();
   study.methods = {"direct_pow"};
   study.trials = 10;
-  EXPECT_GT(guarantees_table(study, "guarantees_unstable.csv").row_count(), 10U);
+  EXPECT_GT(rows_of(study, "guarantees_unstable.csv").row_count(), 10U);
 }
 
 }  // namespace

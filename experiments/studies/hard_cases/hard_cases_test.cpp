@@ -3,9 +3,8 @@
 
 #include <limits>
 
-#include "experiments/run/job_test.hpp"
 #include "experiments/studies/hard_cases/hard_value.hpp"
-#include "experiments/studies/roster.hpp"
+#include "experiments/studies/study_test.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -58,11 +57,9 @@ TEST(Significant, RoundsOnce) {
   EXPECT_EQ(significant(exactly(largest), 5), "1.7977e+308");
 }
 
-suite::Study small_study(Form form) {
-  suite::Study study;
-  study.id = "small";
+suite::Study small_hard_cases_study(Form form) {
+  auto study = small_study("hard_cases");
   study.form = form;
-  study.kind = &kind("hard_cases");
   study.kept = 3;
   study.scalar = {suite::ScalarKind::float64, suite::ScalarKind::float32};
   study.trials = 2100;  // two blocks, the last one short
@@ -71,9 +68,9 @@ suite::Study small_study(Form form) {
 
 TEST(HardCasesStudy, OrderAndInterruptionsChangeNoByte) {
   for (const auto form : {Form::bernstein, Form::power}) {
-    const auto files = run::expect_order_changes_nothing(make_job, small_study(form));
+    const auto files = run::expect_order_changes_nothing(make_job, small_hard_cases_study(form));
     EXPECT_LE(bundle::parse_csv(files.at("hard_cases.csv"), "hard_cases.csv").row_count(),
-              make_job(small_study(form), {1})->extent().rows);
+              make_job(small_hard_cases_study(form), {1})->extent().rows);
   }
 }
 

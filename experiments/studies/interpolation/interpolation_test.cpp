@@ -2,36 +2,22 @@
 #include <gtest/gtest.h>
 
 #include "core/interpolate/kernel.hpp"
-#include "experiments/failure.hpp"
-#include "experiments/run/job_test.hpp"
 #include "experiments/studies/interpolation/problem.hpp"
-#include "experiments/studies/roster.hpp"
+#include "experiments/studies/study_test.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
 suite::Study interpolation_study_of(std::vector<std::string> methods) {
-  suite::Study study;
-  study.id = "splines";
-  study.kind = &kind("interpolation");
+  auto study = small_study("interpolation", std::move(methods));
   study.points = {2, 12};
   study.dimension = {1, 3};
-  study.methods = std::move(methods);
-  study.trials = 40;  // two blocks
+  study.trials = 40;
   return study;
 }
 
-bundle::CsvDocument interpolation_rows_of(const suite::Study& study) {
-  const auto job = make_job(study, {1});
-  run::run_all(*job);
-  EXPECT_TRUE(job->violations().empty());
-  tables::Tables tables;
-  job->write(tables);
-  return bundle::parse_csv(tables.all().at("interpolation.csv").text(), "interpolation.csv");
-}
-
 TEST(InterpolationStudy, HasARowForEachNumberOfPoints) {
-  const auto csv = interpolation_rows_of(interpolation_study_of({"c2_natural"}));
+  const auto csv = rows_of(interpolation_study_of({"c2_natural"}), "interpolation.csv");
   ASSERT_EQ(csv.row_count(), 4U);
   for (std::size_t row = 0; row < 4; ++row) {
     EXPECT_EQ(csv.at(row, "points"), row % 2 == 0 ? "2" : "12");
@@ -47,7 +33,7 @@ TEST(InterpolationStudy, HasARowForEachNumberOfPoints) {
 }
 
 TEST(InterpolationStudy, TellsMethodsApart) {
-  const auto csv = interpolation_rows_of(interpolation_study_of({}));
+  const auto csv = rows_of(interpolation_study_of({}), "interpolation.csv");
   ASSERT_EQ(csv.row_count(), 12U);
   EXPECT_EQ(csv.at(3, "method"), "c2_natural");
   EXPECT_EQ(csv.at(4, "method"), "c2_natural_handles");
@@ -62,14 +48,14 @@ TEST(InterpolationStudy, TellsMethodsApart) {
 TEST(InterpolationStudy, BoundsResidualsOfSubnormalPoints) {
   auto study = interpolation_study_of({"c2_natural"});
   study.coordinate_range = {1e-320};
-  const auto csv = interpolation_rows_of(study);
+  const auto csv = rows_of(study, "interpolation.csv");
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     EXPECT_EQ(csv.at(row, "bound_violations"), "0");
     EXPECT_LE(run::number_at(csv, row, "max_c2_u"), run::number_at(csv, row, "bound_u"));
     EXPECT_GT(run::number_at(csv, row, "bound_u"), 1e10);
   }
   study.coordinate_range = {1};
-  EXPECT_EQ(interpolation_rows_of(study).at(0, "bound_u"), "7.1");
+  EXPECT_EQ(rows_of(study, "interpolation.csv").at(0, "bound_u"), "7.1");
 }
 
 TEST(InterpolationStudy, LeavesOutTheErrorWhereThereAreTooManyPoints) {
@@ -77,7 +63,7 @@ TEST(InterpolationStudy, LeavesOutTheErrorWhereThereAreTooManyPoints) {
   study.points = {max_exact_spline_points, max_exact_spline_points + 1};
   study.dimension = {1};
   study.trials = 1;
-  const auto csv = interpolation_rows_of(study);
+  const auto csv = rows_of(study, "interpolation.csv");
   EXPECT_NE(csv.at(0, "max_error_u"), "");
   EXPECT_EQ(csv.at(1, "max_error_u"), "");
   EXPECT_GT(run::number_at(csv, 1, "max_c2_u"), 0);
@@ -117,19 +103,6 @@ TEST(SplineJudge, MeasuresSubnormalErrors) {
   SplineErrors errors;
   SplineJudge(points, 1, true).judge(segments, 0, 0, errors);
   EXPECT_EQ(errors.error.max(), 0.25 * tiny);
-}
-
-TEST(InterpolationStudy, RefusesWhatItDoesNotJudge) {
-  const auto refused = [](auto change) {
-    auto study = interpolation_study_of({});
-    change(study);
-    EXPECT_THROW(make_job(study, {1}), Failure);
-  };
-  refused([](auto& study) { study.form = Form::power; });
-  refused([](auto& study) { study.scalar = {suite::ScalarKind::float32}; });
-  refused([](auto& study) { study.generator = {"clustered_roots"}; });
-  refused([](auto& study) { study.t_interval = {{0, 0.5}}; });
-  refused([](auto& study) { study.methods = {"de_casteljau"}; });
 }
 
 }  // namespace

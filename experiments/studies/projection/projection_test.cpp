@@ -3,36 +3,23 @@
 
 #include <map>
 
-#include "experiments/failure.hpp"
-#include "experiments/run/job_test.hpp"
 #include "experiments/sample/placement.hpp"
 #include "experiments/studies/projection/problem.hpp"
-#include "experiments/studies/roster.hpp"
+#include "experiments/studies/study_test.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
 suite::Study projection_study_of(std::vector<std::string> methods) {
-  suite::Study study;
-  study.id = "feet";
-  study.kind = &kind("projection");
+  auto study = small_study("projection", std::move(methods));
   study.degree = {3};
   study.dimension = {2, 3};
-  study.methods = std::move(methods);
-  study.trials = 120;  // two blocks
+  study.trials = 120;
   return study;
 }
 
-bundle::CsvDocument projection_rows_of(const suite::Study& study, const std::string& file) {
-  const auto job = make_job(study, {1});
-  run::run_all(*job);
-  tables::Tables tables;
-  job->write(tables);
-  return bundle::parse_csv(tables.all().at(file).text(), file);
-}
-
 TEST(ProjectionStudy, IsolationMissesNothingAndKeepsItsGoal) {
-  const auto csv = projection_rows_of(projection_study_of({"quintic_isolate"}), "projection.csv");
+  const auto csv = rows_of(projection_study_of({"quintic_isolate"}), "projection.csv");
   ASSERT_EQ(csv.row_count(), 2 * sample::placements().size());
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     EXPECT_EQ(csv.at(row, "missed"), "0") << row;
@@ -45,7 +32,7 @@ TEST(ProjectionStudy, IsolationMissesNothingAndKeepsItsGoal) {
 
 /// Among them the centre of curvature and cusps, where t has a third of its digits.
 TEST(ProjectionStudy, EveryOwnMethodKeepsItsBoundOfTheResidual) {
-  const auto csv = projection_rows_of(projection_study_of({}), "projection.csv");
+  const auto csv = rows_of(projection_study_of({}), "projection.csv");
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     EXPECT_EQ(csv.at(row, "broken_promises"), "0") << row;
     if (csv.at(row, "residual_bound").empty()) {
@@ -72,7 +59,7 @@ TEST(ProjectionStudy, AResidualAboveItsBoundBreaksAPromise) {
 }
 
 TEST(ProjectionStudy, SeesWhatScanningMisses) {
-  const auto csv = projection_rows_of(projection_study_of({"scan_bisect"}), "projection.csv");
+  const auto csv = rows_of(projection_study_of({"scan_bisect"}), "projection.csv");
   double missed = 0;
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     missed += run::number_at(csv, row, "missed");
@@ -85,24 +72,11 @@ TEST(ProjectionStudy, MethodsThatAreNotBitStableHaveAFileOfTheirOwn) {
   auto study = projection_study_of({"quintic_*"});
   study.degree = {2};
   study.trials = 3;
-  const auto csv = projection_rows_of(study, "projection_unstable.csv");
+  const auto csv = rows_of(study, "projection_unstable.csv");
   std::map<std::string, std::string> status;
   for (std::size_t row = 0; row < csv.row_count(); ++row) status[csv.at(row, "method")] = csv.at(row, "status");
   EXPECT_EQ(status, (std::map<std::string, std::string>{{"quintic_companion", "ok"},
                                                         {"quintic_seed_002", "degree_unsupported"}}));
-}
-
-TEST(ProjectionStudy, RefusesWhatItDoesNotJudge) {
-  auto study = projection_study_of({});
-  study.form = Form::power;
-  EXPECT_THROW(make_job(study, {1}), Failure);
-  study = projection_study_of({});
-  study.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(make_job(study, {1}), Failure);
-  study = projection_study_of({});
-  study.generator = {"clustered_roots"};
-  EXPECT_THROW(make_job(study, {1}), Failure);
-  EXPECT_THROW(make_job(projection_study_of({"de_casteljau"}), {1}), Failure);
 }
 
 }  // namespace

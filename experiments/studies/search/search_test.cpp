@@ -5,45 +5,28 @@
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
-#include "experiments/studies/roster.hpp"
 #include "experiments/studies/search/climb.hpp"
-#include "reference/number/number.hpp"
+#include "experiments/studies/study_test.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
 suite::Study small_search_study() {
-  suite::Study study;
-  study.id = "search";
-  study.kind = &kind("search");
+  auto study = small_study("search", {"de_casteljau*", "horner_bernstein", "direct_pow"});
   study.budget = 1500;
   study.degree = {5};
-  study.methods = {"de_casteljau*", "horner_bernstein", "direct_pow"};
   study.trials = 300;
   return study;
 }
 
-bundle::CsvDocument table_of(const suite::Study& study) {
-  const auto job = make_job(study, {1});
-  run::run_all(*job);
-  EXPECT_TRUE(job->violations().empty());
-  tables::Tables tables;
-  job->write(tables);
-  return bundle::parse_csv(tables.all().at("search.csv").text(), "search.csv");
-}
-
-double value(const bundle::CsvDocument& table, std::size_t row, std::string_view column) {
-  return number::parse_number(table.at(row, column)).value();
-}
-
 TEST(Search, StaysBetweenTheSampleAndTheBound) {
-  const auto table = table_of(small_search_study());
+  const auto table = rows_of(small_search_study(), "search.csv");
   ASSERT_GT(table.row_count(), 4U);
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     EXPECT_NE(table.at(row, "method"), "direct_pow");  // nobody else could replay it
-    EXPECT_LE(value(table, row, "sampled_error_u"), value(table, row, "searched_error_u"));
+    EXPECT_LE(run::number_at(table, row, "sampled_error_u"), run::number_at(table, row, "searched_error_u"));
     if (table.at(row, "bound_u").empty()) continue;
-    EXPECT_LE(value(table, row, "searched_error_u"), value(table, row, "bound_u"));
+    EXPECT_LE(run::number_at(table, row, "searched_error_u"), run::number_at(table, row, "bound_u"));
   }
 }
 
@@ -52,14 +35,14 @@ TEST(Search, FindsWhatSamplingDoesNot) {
   auto study = small_search_study();
   study.methods = {"de_casteljau_lerp"};
   study.budget = 10000;
-  const auto table = table_of(study);
-  EXPECT_GT(value(table, 0, "searched_error_u"), 50 * value(table, 0, "sampled_error_u"));
+  const auto table = rows_of(study, "search.csv");
+  EXPECT_GT(run::number_at(table, 0, "searched_error_u"), 50 * run::number_at(table, 0, "sampled_error_u"));
   EXPECT_EQ(table.at(0, "status"), "reached");
 }
 
 /// The recorded inputs give the recorded errors, judged afresh.
 void expect_replay(const suite::Study& study) {
-  const auto table = table_of(study);
+  const auto table = rows_of(study, "search.csv");
   ASSERT_GT(table.row_count(), 0U);
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     const auto* kernel = find_kernel<double>(table.at(row, "method"), study.form, 2);
@@ -73,7 +56,7 @@ void expect_replay(const suite::Study& study) {
     judge::TrialInputs<double> inputs(study.form, cell);
     inputs.assign(*trial);
     judge::PointJudge<double> judge;
-    EXPECT_EQ(judge.judge(*kernel, inputs).error_u, value(table, row, "searched_error_u"));
+    EXPECT_EQ(judge.judge(*kernel, inputs).error_u, run::number_at(table, row, "searched_error_u"));
   }
 }
 

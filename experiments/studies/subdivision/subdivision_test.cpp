@@ -8,20 +8,16 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/failure.hpp"
-#include "experiments/run/job_test.hpp"
-#include "experiments/studies/roster.hpp"
+#include "experiments/studies/study_test.hpp"
 #include "experiments/studies/subdivision/problem.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
 suite::Study small_subdivision_study() {
-  suite::Study study;
-  study.id = "small";
-  study.kind = &kind("subdivision");
+  auto study = small_study("subdivision");
   study.degree = {1, 5, 12};
-  study.trials = 40;  // two blocks, the last one short
+  study.trials = 40;
   study.replicates = 2;
   return study;
 }
@@ -33,24 +29,9 @@ suite::Study rational_study() {
   return study;
 }
 
-bundle::CsvDocument subdivision_rows_of(const suite::Study& study) {
-  const auto job = make_job(study, {1});
-  run::run_all(*job);
-  EXPECT_TRUE(job->violations().empty());
-  return bundle::parse_csv(run::text_of(*job).at("subdivision.csv"), "subdivision.csv");
-}
-
-TEST(SubdivisionStudy, OrderAndInterruptionsChangeNoByte) {
-  for (const auto& study : {small_subdivision_study(), rational_study()}) {
-    const auto files = run::expect_order_changes_nothing(make_job, study);
-    EXPECT_EQ(make_job(study, {1})->extent().rows,
-              bundle::parse_csv(files.at("subdivision.csv"), "subdivision.csv").row_count());
-  }
-}
-
 TEST(SubdivisionStudy, BoundsAndPromisesHold) {
   for (const auto& study : {small_subdivision_study(), rational_study()}) {
-    const auto csv = subdivision_rows_of(study);
+    const auto csv = rows_of(study, "subdivision.csv");
     ASSERT_EQ(csv.row_count(), 3U * 5);
     for (std::size_t row = 0; row < csv.row_count(); ++row) {
       EXPECT_EQ(csv.at(row, "trials"), "80");
@@ -72,7 +53,7 @@ TEST(SubdivisionStudy, IsExactWhereNothingIsRounded) {
   study.coordinate_range = {1000};
   study.generator = {"integer"};
   study.t_interval = {{0.5, 0.5}};
-  const auto csv = subdivision_rows_of(study);
+  const auto csv = rows_of(study, "subdivision.csv");
   ASSERT_EQ(csv.row_count(), 5U);
   for (std::size_t row = 0; row < csv.row_count(); ++row) EXPECT_EQ(csv.at(row, "max_error"), "0");
 }
@@ -81,24 +62,12 @@ TEST(SubdivisionStudy, IsExactWhereNothingIsRounded) {
 TEST(SubdivisionStudy, HasNoBoundOutside) {
   auto study = small_subdivision_study();
   study.t_interval = {{-2, -1}};
-  const auto csv = subdivision_rows_of(study);
+  const auto csv = rows_of(study, "subdivision.csv");
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     EXPECT_EQ(csv.at(row, "bound_u"), "");
     EXPECT_EQ(csv.at(row, "bound_violations"), "");
     EXPECT_GT(run::number_at(csv, row, "max_error_u"), 0);
   }
-}
-
-TEST(SubdivisionStudy, RefusesWhatItCannotDo) {
-  auto power = small_subdivision_study();
-  power.form = Form::power;
-  EXPECT_THROW(make_job(power, {1}), Failure);
-  auto single = small_subdivision_study();
-  single.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(make_job(single, {1}), Failure);
-  auto of_points = small_subdivision_study();
-  of_points.methods = {"de_casteljau"};
-  EXPECT_THROW(make_job(of_points, {1}), Failure);
 }
 
 const SplitKernel& kernel(std::string_view id, Form form, int dimension) {
@@ -265,5 +234,4 @@ TEST(SplitJudge, BoundsOfLargestCoefficientsCoverAllAxes) {
 }
 
 }  // namespace
-
 }  // namespace bezierbench::studies
