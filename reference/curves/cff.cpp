@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "reference/curves/cff.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 #include <span>
+
+#include "reference/curves/font_tables.hpp"
 
 namespace bezierbench::curves {
 namespace {

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/curves/place.hpp"
+#include "reference/curves/read.hpp"
 #include "reference/number/csv_records.hpp"
 #include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"

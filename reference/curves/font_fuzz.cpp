@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "experiments/fuzzing/property.hpp"
-#include "reference/curves/font.hpp"
+#include "reference/curves/read.hpp"
 
 namespace bezierbench::curves {
 namespace {

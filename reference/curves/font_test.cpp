@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "reference/curves/font.hpp"
-
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -8,8 +6,8 @@
 #include <functional>
 #include <iterator>
 
-#include "reference/curves/cff.hpp"
-#include "reference/curves/glyf.hpp"
+#include "reference/curves/font_tables.hpp"
+#include "reference/curves/read.hpp"
 
 namespace bezierbench::curves {
 namespace {

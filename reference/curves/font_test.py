@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: MIT
 """The segments of fonts as the font reader has them are those of fontTools, bit for bit, with their names and order.
 
-font_test.py FONT_SEGMENTS [FONT...]    compares the given fonts; without one those of fuzzed_fonts and two that are installed
+font_test.py PROGRAM [FONT...]    compares the given fonts; without one those of fuzzed_fonts and two that are installed
 
 Exit 77 where fontTools is missing. fontTools composes the points of a glyph (`getCoordinates`) and cuts
 contours into segments (`BasePen`). A composite glyph is not taken from its glyph set, which up to version 4.38 shifts each
 component by that component's own left side bearing, and newer ones do not shift the glyph; rasterizers shift it once.
 The message counts the composite glyphs that are different in the glyph set.
 """
+import csv
 import importlib.util
+import itertools
 import re
 import struct
 import subprocess
@@ -21,7 +23,7 @@ FONTS = Path("/usr/share/fonts")
 
 
 def segments_of(font, prefix):
-    """The lines of font_segments for one face; counts of glyphs, lines of zero length and unlike composites."""
+    """A line `id bits` for each segment of one face; counts of glyphs, lines of zero length and unlike composites."""
     from fontTools.pens.basePen import BasePen
     from fontTools.ttLib.tables._g_l_y_f import Glyph
 
@@ -74,7 +76,7 @@ def segments_of(font, prefix):
                     zero += 1
                     continue
                 bits = struct.pack(f">{2 * len(points)}d", *(x + 0.0 for point in points for x in point)).hex()
-                lines.append(f"{prefix}{shown}:{contour}:{count} {int(count == 0)} {bits}")
+                lines.append(f"{prefix}{shown}:{contour}:{count} {bits}")
                 count += 1
     return lines, len(font.getGlyphOrder()), zero, unlike
 
@@ -87,14 +89,17 @@ def faces_of(path):
     return TTCollection(path, lazy=True).fonts if is_collection else [TTFont(path, lazy=True)]
 
 
-def compare(program, path):
-    """One line of counts, and whether everything is equal."""
-    ran = subprocess.run([program, path], capture_output=True, text=True)
+def compare(program, path, table):
+    """One line of counts, and whether everything is equal. `table` is the file to which `bezierbench curves` writes."""
+    ran = subprocess.run([program, "curves", path, "--out", table], capture_output=True, text=True)
     if ran.returncode != 0:
         return ran.stderr.strip(), False
-    ours = ran.stdout.splitlines()
-    left_out = dict(reversed(line.split(": ", 1)[1].split(" ", 1)) for line in ours if line.startswith("left out: "))
-    ours = [line for line in ours if not line.startswith("left out: ")]
+    left_out = {reason: count for line in (ran.stdout + ran.stderr).splitlines() if line.startswith("left out: ")
+                for reason, count in re.findall(r"(?:: |, )([^(]+) \((\d+)\)", line)}
+    with open(table, encoding="utf-8", newline="") as file:
+        rows = list(csv.reader(file))[1:]
+    ours = [f"{name} {''.join(struct.pack('>2d', float.fromhex(x), float.fromhex(y)).hex() for _, _, x, y in points)}"
+            for name, points in itertools.groupby(rows, lambda row: row[0])]
     faces = faces_of(path)
     read = {line.split(":", 1)[0] for line in ours}
     theirs, glyphs, zero, unlike = [], 0, 0, 0
@@ -106,9 +111,11 @@ def compare(program, path):
         glyphs, zero, unlike = glyphs + made[1], zero + made[2], unlike + made[3]
     different = sum(a != b for a, b in zip(ours, theirs)) + abs(len(ours) - len(theirs))
     first = next((f"; first: {a} here, {b} in fontTools" for a, b in zip(ours, theirs) if a != b), "")
-    same_count = int(left_out.get("lines of zero length", 0)) == zero
+    paths = re.search(r"in (\d+) paths?$", ran.stdout, re.M)[1]
+    begun = sum(line.split(" ")[0].endswith(":0") for line in theirs)
+    same_count = (int(left_out.get("lines of zero length", 0)), int(paths)) == (zero, begun)
     if not same_count:
-        first += f"; lines of zero length: {left_out} here, {zero} in fontTools"
+        first += f"; {left_out}, {paths} paths here, {zero} lines of zero length, {begun} paths in fontTools"
     return (f"{path}: {glyphs} glyphs, {len(theirs)} segments, {different} different; left out: {left_out}; composites "
             f"unlike the glyph set: {unlike}{first}"), different == 0 and same_count
 
@@ -134,7 +141,7 @@ def main():
                 font.save(paths[-1])
         equal = True
         for path in paths:
-            line, same = compare(program, path)
+            line, same = compare(program, path, f"{folder}/curves.csv")
             print(line, flush=True)
             equal &= same
     return 0 if equal else 1

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "reference/curves/glyf.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <span>
 
-#include "reference/curves/big_endian.hpp"
+#include "reference/curves/font_tables.hpp"
 
 namespace bezierbench::curves {
 namespace {

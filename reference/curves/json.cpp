@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "reference/curves/json.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +8,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "reference/curves/place.hpp"
+#include "reference/curves/read.hpp"
 #include "reference/number/echo.hpp"
 
 namespace bezierbench::curves {

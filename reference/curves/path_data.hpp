@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 
-#include "reference/curves/place.hpp"
 #include "reference/curves/read.hpp"
 
 namespace bezierbench::curves {

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <vector>
 
-#include "reference/curves/joined.hpp"
-
 namespace bezierbench::curves {
 namespace {
 

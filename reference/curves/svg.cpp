@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "reference/curves/svg.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +12,7 @@
 #include <vector>
 
 #include "reference/curves/path_data.hpp"
-#include "reference/curves/place.hpp"
+#include "reference/curves/read.hpp"
 #include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Expected values follow from [SVG 2, chapters 5, 7, 8 and 10].
-#include "reference/curves/svg.hpp"
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +9,7 @@
 
 #include "reference/curves/csv.hpp"
 #include "reference/curves/path_data.hpp"
+#include "reference/curves/read.hpp"
 
 namespace bezierbench::curves {
 namespace {

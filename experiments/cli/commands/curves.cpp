@@ -14,7 +14,7 @@
 #include "experiments/cli/terminal/wrapped.hpp"
 #include "experiments/metric/curve_statistics.hpp"
 #include "experiments/terminal.hpp"
-#include "reference/curves/joined.hpp"
+#include "reference/curves/read.hpp"
 #include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
