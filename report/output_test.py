@@ -7,9 +7,10 @@ from pathlib import Path
 from unittest import mock
 
 from . import fixture, output
-from .bundle import Bundle, BundleError
+from .bundle import BundleError
 from .chapters.roster import build_all
 from .document import SAFE, Chapter, Table, unique, with_unique_ids
+from .fixture import changed, of_kind
 
 
 def names(folder):
@@ -22,17 +23,13 @@ class Output(unittest.TestCase):
         self.addCleanup(place.cleanup)
         self.place = Path(place.name)
 
-    def test_failure_leaves_the_old_files(self):
+    def test_failure_leaves_the_old_files_and_makes_no_directory(self):
         output.write(self.place, {"a/x": b"old", "y": b"old"})
-        with self.assertRaises(TypeError):
-            output.write(self.place, {"a/x": b"new", "y": None})
+        for folder in (self.place, self.place / "out"):
+            with self.assertRaises(TypeError):
+                output.write(folder, {"a/x": b"new", "y": None})
         self.assertEqual((self.place / "a/x").read_bytes(), b"old")
         self.assertEqual(names(self.place), ["a", "y"])
-
-    def test_failure_makes_no_directory(self):
-        with self.assertRaises(TypeError):
-            output.write(self.place / "out", {"a/x": b"new", "y": None})
-        self.assertEqual(names(self.place), [])
 
     def test_the_pages_come_last(self):
         output.write(self.place, {"report.html": b"old"})
@@ -62,8 +59,7 @@ class Names(unittest.TestCase):
     def test_tables_take_no_name_of_the_page(self):
         table = Table(id="content", caption="", head=(), groups=())
         chapter, = with_unique_ids([Chapter("one", "One", (table, table))])
-        ids = [block.id for block in chapter.blocks]
-        self.assertEqual(len({*ids, "content", "one"}), 4)
+        self.assertEqual(len({*(block.id for block in chapter.blocks), "content", "one"}), 4)
 
     def test_studies_that_differ_by_a_number_keep_their_tables(self):
         """The second table of a study and the first of another once had the same file."""
@@ -72,22 +68,17 @@ class Names(unittest.TestCase):
                 row["study"], row["scalar"] = "a", "float" if row["degree"] == 20 else "double"
             elif row["study"] == "peers-speed":
                 row["study"] = "a-2"
-        with tempfile.TemporaryDirectory() as place:
-            bundle = Bundle(fixture.write(f"{place}/b", double_studies, [f for f in fixture.FILES if f != "timing.csv"]))
-            chapters, _ = build_all(bundle, ([], []))
-        tables = [block for chapter in chapters for block in chapter.blocks if block.kind == "table"]
-        self.assertEqual(len({table.id.casefold() for table in tables}), len(tables))
-        self.assertLessEqual({"timing-a-1", "timing-a-2", "timing-a-2-2"}, {table.id for table in tables})
+        fixture.without_figures(self)
+        chapters, _ = build_all(fixture.bundle(double_studies, [f for f in fixture.FILES if f != "timing.csv"]), ([], []))
+        tables = [id for chapter in chapters for id in of_kind(chapter.blocks, "table")]
+        self.assertEqual(len({id.casefold() for id in tables}), len(tables))
+        self.assertLessEqual({"timing-a-1", "timing-a-2", "timing-a-2-2"}, set(tables))
 
     def test_an_id_that_no_suite_takes_is_refused(self):
         for file, column, word in (("accuracy.csv", "study", "x/../../../y"), ("worst.csv", "worst_id", "w1; rm x"), ("timing.csv", "study", "a b"),
                                    ("pareto.csv", "accuracy_study", "../x"), ("accuracy.csv", "method", "a`b"), ("audit.csv", "study", "é")):
-            def change(at, row):
-                if at == file:
-                    row[column] = word
-            with self.subTest(file=file, word=word), tempfile.TemporaryDirectory() as place:
-                with self.assertRaisesRegex(BundleError, f"{file}:2: `{column}` is .*, which is not an id"):
-                    Bundle(fixture.write(f"{place}/b", change))
+            with self.assertRaisesRegex(BundleError, f"{file}:2: `{column}` is .*, which is not an id", msg=word):
+                fixture.bundle(changed(file, {column: word}))
 
 
 if __name__ == "__main__":

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: MIT
 """The table at the top of README.md follows the bundle: what changes there turns an answer over."""
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
@@ -89,8 +88,7 @@ class Answers(unittest.TestCase):
 
 class RealCurves(unittest.TestCase):
     def bundle(self, change=None):
-        with tempfile.TemporaryDirectory() as place:
-            return Bundle(fixture.write_real(f"{place}/b", change))
+        return fixture.bundle(change, **fixture.REAL)
 
     def test_they_come_first_and_have_their_own_degrees(self):
         lines = answers(Bundle(BUNDLE), self.bundle()).splitlines()

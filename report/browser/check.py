@@ -52,11 +52,10 @@ def main():
         return SKIPPED
     _report()
     from report import fixture
-    from report.fixture.comparison import write_comparison
     from report.bundle import Bundle
     from report.__main__ import main as render
     with tempfile.TemporaryDirectory() as place:
-        bundle, comparison = fixture.write(f"{place}/bundle"), write_comparison(f"{place}/comparison")
+        bundle, comparison = fixture.write(f"{place}/bundle"), fixture.write_comparison(f"{place}/comparison")
         if code := render([str(bundle), "--comparison", str(comparison), "--out", f"{place}/page"]):
             return code
         _large(Bundle(bundle), f"{place}/large")

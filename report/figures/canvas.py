@@ -199,10 +199,15 @@ def _draw(canvas, bottom):
             log_axis(axis)
     canvas.tight_layout(rect=(0, bottom / canvas.get_figheight(), 1, 1))
     series = _all_series(canvas)
-    svg, png = io.StringIO(), io.BytesIO()
+    svg = io.StringIO()
     canvas.savefig(svg, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
+    return Drawing(svg=_lean(svg.getvalue()), png=_png(canvas), series=series)
+
+
+def _png(canvas):
+    png = io.BytesIO()
     canvas.savefig(png, format="png", dpi=150, metadata={"Software": None})
-    return Drawing(svg=_lean(svg.getvalue()), png=png.getvalue(), series=series)
+    return png.getvalue()
 
 
 def _lean(svg):
