@@ -133,9 +133,13 @@ async function contents(path, options) {
     await page.evaluate(() => scrollTo({ top: 0, behavior: "instant" }));
     await page.$eval("nav details", (one) => { one.open = true; });
     await page.locator(`nav a[href="#${id}"]`).click();
-    await page.waitForTimeout(500);
-    const [top, left] = await page.evaluate((one) => [document.getElementById(one).getBoundingClientRect().top,
+    const place = () => page.evaluate((one) => [document.getElementById(one).getBoundingClientRect().top,
       document.documentElement.scrollHeight - innerHeight - scrollY], id);
+    let [[top, left], before] = [await place(), []];
+    for (let tries = 0; tries < 20 && String(before) !== String([top, left]); tries += 1) { // until it no longer moves
+      await page.waitForTimeout(60);
+      [before, [top, left]] = [[top, left], await place()];
+    }
     check(top > -1 && (top < 120 || left < 2), `the link to ${id} lands ${Math.round(top)} px above its heading`);
   }
   await page.context().close();
