@@ -7,18 +7,17 @@ span is what has the same values at n + 1 places of it: a system of linear equat
 
 check_bspline.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
-import csv
 import functools
 import math
 import random
-import subprocess
 import sys
 from fractions import Fraction
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import check_eval  # noqa: E402
 import exact  # noqa: E402
+import judging  # noqa: E402
+from check_eval import KINDS, Case  # noqa: E402
 
 COLUMNS = "method,t,index,axis,value,exact,error,error_ulp,error_u,bound_u".split(",")
 METHODS = {"de_boor": False, "de_boor_cox_basis": False, "knot_insertion_span": True, "chudy_wozny_span": True}
@@ -96,39 +95,26 @@ def weighted(weights, coefficients):
                  for made in (coefficients, list(map(abs, coefficients))))
 
 
-class Judge(check_eval.Judge):
-    """Judges rows of `curve bspline`: the columns of `curve eval`, and the number of the control point."""
-
-    def judge_bspline(self, number, case, knots):
-        self.file = self.folder / f"points_{number:03}.csv"
-        case.write(self.file)
-        degree = len(knots) - len(case.axes[0]) - 1
-        command = [self.program, "curve", "bspline", "--points", self.file, "--knots", ",".join(u.hex() for u in knots)]
-        for t in case.parameters:
-            command += ["--t", t.hex()]
-        result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
-        self.compare(result.returncode == 0, "curve bspline failed", lambda: f"{case.name}: {result.stderr.strip()[:300]}")
-        rows = list(csv.DictReader(result.stdout.splitlines()))
-        axes = check_eval.AXES[:len(case.axes)]
-        wanted = [(method, index, axis) for method, makes_bernstein in METHODS.items() for _ in case.parameters
-                  for index in ("", *map(str, range(degree + 1) if makes_bernstein else ())) for axis in axes]
-        fine = [(row["method"], row["index"], row["axis"]) for row in rows] == wanted and all(list(row) == COLUMNS for row in rows)
-        self.compare(fine, "rows", lambda: f"{case.name}: {len(rows)} rows, not {len(wanted)}")
-        right = {}
-        for t in case.parameters:
-            span = span_of(knots, degree, len(case.axes[0]), t)
-            at_t = basis(knots, degree, span, t)
-            weights = {"": [at_t[i] for i in sorted(at_t)],
-                       **{str(k): made for k, made in enumerate(bernstein_of_basis(knots, degree, span))}}
-            for axis, coefficients in zip(axes, case.axes):
-                for index, of_points in weights.items():
-                    truth, p_tilde = weighted(of_points, coefficients[span - degree:span + 1])
-                    right[t, index, axis] = truth, exact.to_double(truth), p_tilde
-        for row in rows if fine else []:
-            self.judge_row(case, row, *right[float(row["t"]), row["index"], row["axis"]])
+def judge(program, case, knots):
+    degree = len(knots) - len(case.axes[0]) - 1
+    rows, _ = program.ask("bspline", "--points", list(zip(*case.axes)), "--knots", ",".join(u.hex() for u in knots),
+                          *(f"--t={t.hex()}" for t in case.parameters))
+    wanted = [(method, float(t), index, axis) for method, makes_bernstein in METHODS.items() for t in case.parameters
+              for index in ("", *map(str, range(degree + 1) if makes_bernstein else ())) for axis in case.names]
+    right = {}
+    for t in case.parameters:
+        span = span_of(knots, degree, len(case.axes[0]), t)
+        at_t = basis(knots, degree, span, t)
+        weights = {"": [at_t[i] for i in sorted(at_t)],
+                   **{str(k): made for k, made in enumerate(bernstein_of_basis(knots, degree, span))}}
+        for axis, coefficients in zip(case.names, case.axes):
+            for index, of_points in weights.items():
+                right[t, index, axis] = weighted(of_points, coefficients[span - degree:span + 1])
+    for row in judging.rows_with_keys([{**row, "t": float(row["t"])} for row in rows], COLUMNS, wanted):
+        yield from judging.judge_row(row, *right[row["t"], row["index"], row["axis"]])
 
 
-def judge_all(judge, seed):
+def questions(program, seed):
     draw = random.Random(seed)
     for number, kind in enumerate(("uniform", "clamped", "random", "multiple", "uneven") * 8):
         degree = draw.randint(1, 6)
@@ -137,12 +123,12 @@ def judge_all(judge, seed):
         if not knots[degree] < knots[points]:
             continue
         of_points = draw.choice(("uniform", "integer", "positive", "cancelling", "graded", "subnormal", "mixed"))
-        axes = [check_eval.KINDS[of_points](draw, points - 1) for _ in range(1 + number % 3)]
+        axes = [KINDS[of_points](draw, points - 1) for _ in range(1 + number % 3)]
         inside = [min(max(draw.uniform(knots[degree], knots[points]), knots[degree]), knots[points]) for _ in range(2)]
         parameters = list(dict.fromkeys([knots[degree], *inside, draw.choice(knots[degree:points + 1]), knots[points]]))
-        judge.judge_bspline(number, check_eval.Case(f"{of_points} points, {kind} knots, degree {degree}", "bernstein", axes, parameters),
-                            knots)
+        case = Case(f"{of_points} points, {kind} knots, degree {degree}", "bernstein", axes, parameters)
+        yield case.name, judge(program, case, knots)
 
 
 if __name__ == "__main__":
-    sys.exit(check_eval.main(__doc__, Judge, judge_all))
+    sys.exit(judging.main(__doc__, "curves", 35, questions))

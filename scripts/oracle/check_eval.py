@@ -2,27 +2,21 @@
 # SPDX-License-Identifier: MIT
 """Judges `bezierbench curve eval` and `curve convert` by the oracle in exact.py, on random and difficult curves.
 
-check_eval.py PROGRAM [--seed S] [--keep DIR]    exits 1 with the first mismatches
+check_eval.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
-import argparse
-import csv
 import math
 import random
-import subprocess
 import sys
-import tempfile
-from collections import Counter
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import exact  # noqa: E402
+import judging  # noqa: E402
+from judging import AXES, TINY, float_of, rounds_to  # noqa: E402
 
-TINY = 5e-324
-AXES = ("x", "y", "z")
 EVAL_COLUMNS = "method,t,axis,value,exact,error,error_ulp,error_u,bound_u".split(",")
-SHOWN = 12  # mismatches printed
 INPUT_OUTPUT = 4  # the exit code for data that cannot be written
 
 # Methods that must answer in each form, whatever else the program offers.
@@ -55,11 +49,17 @@ class Case:
     def degree(self):
         return len(self.axes[0]) - 1
 
-    def write(self, place):
-        with open(place, "w", encoding="ascii", newline="") as file:
-            file.write(",".join(AXES[: len(self.axes)] + (("w",) if self.weights else ())) + "\n")
-            for point in zip(*self.axes, *([self.weights] if self.weights else [])):
-                file.write(",".join(c.hex() for c in point) + "\n")
+    @property
+    def names(self):
+        """Of the axes."""
+        return AXES[:len(self.axes)]
+
+    def ask(self, program, command, *options, **more):
+        """The rows of `curve COMMAND` for this curve, at its parameters unless there are other options."""
+        points = list(zip(*self.axes, *([self.weights] if self.weights else [])))
+        form = "bernstein" if self.weights else self.form
+        at = options or [f"--t={t.hex()}" for t in self.parameters]
+        return program.ask(command, "--curve", points, "--form", form, *at, columns=self.names + "w", **more)[0]
 
 
 # Coefficients of one axis, by kind.
@@ -117,8 +117,7 @@ WEIGHTS = {
 
 
 def has_point(degree, t, weights):
-    zeros = [0.0] * (degree + 1)
-    return exact.rational_value(exact.basis_terms("rational", degree, t), zeros, weights) is not None
+    return exact.value(exact.basis_terms("rational", degree, t), weights)[0] != 0
 
 
 def some_parameters(draw, degree):
@@ -163,167 +162,69 @@ def cases(seed):
         yield Case("scales 5", form, axes, some_parameters(draw, 5))
 
 
-class Judge:
-    def __init__(self, program, folder):
-        self.program = program
-        self.folder = folder
-        self.comparisons = 0
-        self.mismatches = []
-        self.kinds = Counter()
-        self.file = None
+def judge_eval(program, case):
+    """The order of the rows, by method, then by t as given, then by axis; then each row."""
+    rows = case.ask(program, "eval")
+    if not rows or not set(EVAL_COLUMNS) <= set(rows[0]):
+        yield f"columns: {rows[:1]}"
+        return
+    methods = list(dict.fromkeys(row["method"] for row in rows))
+    if [(row["method"], float_of(row["t"]), row["axis"]) for row in rows] != [(m, t, axis) for m in methods for t in case.parameters for axis in case.names]:
+        yield f"{len(rows)} rows in another order"
+        return
+    yield from (f"method left out: {method}" for method in EXPECTED[case.form] if case.degree <= 170 and method not in methods)
+    truths = {}
+    for t in case.parameters:
+        terms = exact.basis_terms(case.form, case.degree, t)
+        for axis, c in zip(case.names, case.axes):
+            truths[t, axis] = exact.value(terms, c, case.weights), exact.p_tilde(terms, c, case.weights)
+    for row in rows:
+        yield from judging.judge_row(row, *truths[float_of(row["t"]), row["axis"]])
 
-    def compare(self, fine, kind, line):
-        """Counts one comparison and, unless `fine`, a mismatch with the text `line()`."""
-        self.comparisons += 1
-        if not fine:
-            self.kinds[kind] += 1
-            self.mismatches.append(f"{kind}: {line()} [{self.file.name}]")
 
-    def call(self, case, *arguments, may_fail=(0,)):
-        """The program's standard output for the file of `case`; None where its exit code is not 0."""
-        form = "bernstein" if case.weights else case.form
-        command = [self.program, "curve", arguments[0], "--curve", self.file, "--form", form, *arguments[1:]]
-        result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
-        self.compare(
-            result.returncode in may_fail,
-            f"curve {arguments[0]} failed",
-            lambda: f"{case.form} {case.name}: exit {result.returncode}: {result.stderr.strip()[:300]}",
-        )
-        return None if result.returncode != 0 else result.stdout
-
-    def judge(self, number, case):
-        self.file = self.folder / f"curve_{number:03}.csv"
-        case.write(self.file)
-        self.judge_eval(case)
-        if not case.weights:
-            self.judge_convert(case)
-
-    # curve eval
-
-    def judge_eval(self, case):
-        options = [word for t in case.parameters for word in ("--t", t.hex())]
-        output = self.call(case, "eval", *options)
-        if output is None:
+def judge_convert(program, case, method):
+    n, inverse = case.degree, case.form == "power"
+    convert = exact.to_bernstein if inverse else exact.to_power
+    truths = [convert(axis) for axis in case.axes]
+    # the sums of absolute values, which rounding errors are proportional to
+    sums = [absolute_sums(axis, inverse) for axis in case.axes]
+    lost = [may_overflow(method, truth, s, n) for truth, s in zip(truths, sums)]
+    certainly, maybe = (any(one) for one in zip(*lost))
+    rows = case.ask(program, "convert", "--method", method, may_fail=(INPUT_OUTPUT,) if maybe else ())
+    if certainly:
+        if rows:
+            yield "a coefficient that is too large is written"
+        return
+    if not maybe or rows:
+        if len(rows) != n + 1 or list(rows[0]) != list(case.names):
+            yield "the shape of the conversion"
             return
-        reader = csv.DictReader(output.splitlines())
-        columns = reader.fieldnames or []
-        self.compare(set(EVAL_COLUMNS) <= set(columns), "columns", lambda: f"{case.name}: {columns}")
-        if not set(EVAL_COLUMNS) <= set(columns):
-            return
-        rows = list(reader)
-        methods = list(dict.fromkeys(row["method"] for row in rows))
-        self.judge_order(case, rows, methods)
-
-        truths = {}
-        for t in case.parameters:
-            terms = exact.basis_terms(case.form, case.degree, t)
-            for axis, coefficients in zip(AXES, case.axes):
-                truth, amplification = truth_of(case, terms, coefficients)
-                truths[t, axis] = truth, exact.to_double(truth), amplification
-        for row in rows:
-            key = float_of(row["t"]), row["axis"]
-            if key in truths:
-                self.judge_row(case, row, *truths[key])
-
-    def judge_order(self, case, rows, methods):
-        """Checks the order of the rows: by method, then by t as given, then by axis."""
-        names = AXES[: len(case.axes)]
-        wanted = [(m, t, axis) for m in methods for t in case.parameters for axis in names]
-        got = [(row["method"], float_of(row["t"]), row["axis"]) for row in rows]
-        self.compare(got == wanted, "rows", lambda: f"{case.form} {case.name}: {len(got)} rows, not {len(wanted)}")
-        for method in EXPECTED[case.form] if case.degree <= 170 else []:
-            self.compare(method in methods, "method left out", lambda m=method: f"{case.form} {case.name}: {m}")
-
-    def judge_row(self, case, row, truth, rounded, amplification):
-        def check(fine, field, expected):
-            self.compare(
-                fine,
-                field,
-                lambda: f"{case.form} {case.name}, {row['method']} at t = {row['t']}, {row['axis']}: "
-                f"{row[field]}, expected {expected}; value {row['value']}, exact {row['exact']}",
-            )
-
-        numbers = {field: float_of(row[field]) for field in EVAL_COLUMNS[3:] if row.get(field, "") != ""}
-        value = numbers.get("value", math.nan)
-        check(rounds_to(numbers.get("exact", math.nan), rounded, truth[0] == 0), "exact", rounded)
-        if not math.isfinite(value):
-            for field in [field for field in ("error", "error_ulp", "error_u") if field in row]:
-                check(numbers.get(field) == math.inf, field, "inf for a value that is not finite")
-            return
-        distance = exact.error(value, truth)
-        error_u = exact.error_u(distance, amplification)
-        expected = {
-            "error": exact.to_double(distance),
-            "error_ulp": exact.to_double(exact.error_ulp(distance, truth)),
-            "error_u": math.inf if error_u is None else exact.to_double(error_u),
-        }
-        check(numbers.get("error") == expected["error"], "error", expected["error"])
-        for field in [field for field in ("error_ulp", "error_u") if field in row]:
-            check(close(numbers.get(field, math.nan), expected[field]), field, expected[field])
-        if "bound_u" in numbers:
-            check(expected["error_u"] <= numbers["bound_u"], "bound_u", f"at least {expected['error_u']}")
-
-    # curve convert
-
-    def judge_convert(self, case):
-        if case.degree > 60:
-            return
-        inverse = case.form == "power"
-        n = case.degree
-        convert = exact.to_bernstein if inverse else exact.to_power
-        truths = [convert(axis) for axis in case.axes]
-        # the sums of absolute values, which rounding errors are proportional to
-        sums = [absolute_sums(axis, inverse) for axis in case.axes]
-        for method in CONVERSIONS[case.form]:
-            lost = [self.may_overflow(method, truths[a], sums[a], n) for a in range(len(sums))]
-            exits = {any(certainly for certainly, _ in lost): (INPUT_OUTPUT,), not any(may for _, may in lost): (0,)}
-            output = self.call(case, "convert", "--method", method, may_fail=exits.get(True, (0, INPUT_OUTPUT)))
-            if output is None:
-                continue
-            rows = list(csv.reader(output.splitlines()))
-            names = list(AXES[: len(case.axes)])
-            shape = bool(rows) and rows[0] == names and len(rows) == n + 2
-            self.compare(shape, "shape of a conversion", lambda m=method: f"{case.form} {case.name}, {m}")
-            if not shape:
-                continue
-            for i, row in enumerate(rows[1:]):
-                for a, text in enumerate(row):
-                    fine, expected = self.converted(method, float_of(text), truths[a][i], sums[a], i, n)
-                    self.compare(
-                        fine,
-                        f"conversion {method}",
-                        lambda m=method, x=text, e=expected, i=i, a=a: f"{case.form} {case.name}, {m}, "
-                        f"coefficient {i} {AXES[a]}: {x}, expected {e}",
-                    )
-
-    @staticmethod
-    def may_overflow(method, truths, sums, n):
-        """(whether a coefficient certainly overflows, so that the conversion is refused; whether one may overflow)."""
-        lost = any(math.isinf(exact.to_double(truth.as_integer_ratio())) for truth in truths)
-        if method == "exact":
-            return lost, lost
-        return lost, lost or max(sums) * 4**n * math.factorial(n) >= 2**1000  # intermediate products may overflow
-
-    @staticmethod
-    def converted(method, computed, truth, sums, i, n):
-        rounded = exact.to_double(truth.as_integer_ratio())
-        if method == "exact":
-            return rounds_to(computed, rounded, truth == 0), rounded
-        # Intermediate products may overflow where the result does not. Underflow costs 2^-1074 per product.
-        if max(sums) * 4**n >= 2**1000 or not math.isfinite(computed):
-            return max(sums) * 4**n * math.factorial(n) >= 2**1000, rounded
-        amplification = 3**n * max(sums) if method == "forward_substitution" else sums[i]
-        underflow = Fraction(TINY) * 4 ** (n + 2) * (n + 2)
-        tolerance = (8 * n + 16) * exact.UNIT_ROUNDOFF * amplification + underflow
-        return abs(Fraction(computed) - truth) <= tolerance, f"{rounded} within {float(tolerance):.3g}"
+        for i, row in enumerate(rows):
+            for axis, truth, s in zip(case.names, truths, sums):
+                fine, expected = converted(method, float_of(row[axis]), truth[i], s, i, n)
+                if not fine:
+                    yield f"coefficient {i} {axis}: {row[axis]}, expected {expected}"
 
 
-def truth_of(case, terms, coefficients):
-    """(p(t), p~(t)) on one axis."""
-    if case.weights:
-        return (exact.rational_value(terms, coefficients, case.weights),
-                exact.rational_p_tilde(terms, coefficients, case.weights))
-    return exact.value(terms, coefficients), exact.p_tilde(terms, coefficients)
+def may_overflow(method, truths, sums, n):
+    """(whether a coefficient certainly overflows, so that the conversion is refused; whether one may overflow)."""
+    lost = any(math.isinf(exact.to_double(truth.as_integer_ratio())) for truth in truths)
+    if method == "exact":
+        return lost, lost
+    return lost, lost or max(sums) * 4**n * math.factorial(n) >= 2**1000  # intermediate products may overflow
+
+
+def converted(method, computed, truth, sums, i, n):
+    rounded = exact.to_double(truth.as_integer_ratio())
+    if method == "exact":
+        return rounds_to(computed, rounded, truth == 0), rounded
+    # Intermediate products may overflow where the result does not. Underflow costs 2^-1074 per product.
+    if max(sums) * 4**n >= 2**1000 or not math.isfinite(computed):
+        return max(sums) * 4**n * math.factorial(n) >= 2**1000, rounded
+    amplification = 3**n * max(sums) if method == "forward_substitution" else sums[i]
+    underflow = Fraction(TINY) * 4 ** (n + 2) * (n + 2)
+    tolerance = (8 * n + 16) * exact.UNIT_ROUNDOFF * amplification + underflow
+    return abs(Fraction(computed) - truth) <= tolerance, f"{rounded} within {float(tolerance):.3g}"
 
 
 def absolute_sums(coefficients, inverse):
@@ -335,43 +236,13 @@ def absolute_sums(coefficients, inverse):
     return [math.comb(n, j) * sum(math.comb(j, i) * c[i] for i in range(j + 1)) for j in range(n + 1)]
 
 
-def float_of(text):
-    return float.fromhex(text) if "0x" in text else float(text)
-
-
-def rounds_to(a, rounded, truth_is_zero):
-    """Whether `a` has the bits of `rounded`. The sign of a zero counts only where it is the result of an underflow."""
-    return a == rounded and (truth_is_zero or math.copysign(1, a) == math.copysign(1, rounded))
-
-
-def close(a, b):
-    return a == b or abs(a - b) <= 1e-9 * abs(b) or abs(a - b) <= 4 * TINY
-
-
-def judge_all(judge, seed):
-    for number, case in enumerate(cases(seed)):
-        judge.judge(number, case)
-
-
-def main(description, judge_class, judge_all_of):
-    """Has judge_all_of(judge, seed) judge the program of the command line: 1, to exit with, where anything does not match."""
-    parser = argparse.ArgumentParser(description=description.splitlines()[0])
-    parser.add_argument("program", type=Path)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--keep", type=Path, help="leave the curve files in this folder")
-    options = parser.parse_args()
-    with tempfile.TemporaryDirectory() as temporary:
-        folder = options.keep or Path(temporary)
-        folder.mkdir(parents=True, exist_ok=True)
-        judge = judge_class(options.program.resolve(), folder)
-        judge_all_of(judge, options.seed)
-    for line in judge.mismatches[:SHOWN]:
-        print(line)
-    for kind, count in judge.kinds.most_common():
-        print(f"{count} mismatches: {kind}")
-    print(f"oracle: {judge.comparisons} comparisons, {len(judge.mismatches)} mismatches")
-    return 1 if judge.mismatches else 0
+def questions(program, seed):
+    for case in cases(seed):
+        yield f"{case.form} {case.name}", judge_eval(program, case)
+        if not case.weights and case.degree <= 60:
+            for method in CONVERSIONS[case.form]:
+                yield f"{case.form} {case.name}, {method}", judge_convert(program, case, method)
 
 
 if __name__ == "__main__":
-    sys.exit(main(__doc__, Judge, judge_all))
+    sys.exit(judging.main(__doc__, "answers", 600, questions))

@@ -13,6 +13,7 @@ import sys
 from fractions import Fraction
 
 import judging
+from judging import integers, uniform
 
 # The largest accepted error of a control point, in u max|K|: sqrt(3) is proved; the other method has no bound.
 METHODS = {"c2_natural": 1.74, "c2_natural_handles": 12}
@@ -75,14 +76,6 @@ def judge(points, found, method):
         residual = abs(sum(a * found[j] for j, a in left.items()) - right)
         if residual > RESIDUALS * unit + 6 * SMALLEST:
             yield f"a residual of {kind} is {float(residual / unit) if unit else math.inf} units"
-
-
-def uniform(draw, n, d):
-    return [[draw.uniform(-1, 1) for _ in range(d)] for _ in range(n + 1)]
-
-
-def integers(draw, n, d):
-    return [[float(draw.randint(-3, 3)) for _ in range(d)] for _ in range(n + 1)]
 
 
 def signs(draw, n, d):

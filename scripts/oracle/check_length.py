@@ -15,7 +15,7 @@ from decimal import Decimal, getcontext
 from fractions import Fraction
 
 import judging
-from drawn_curves import collinear, constant, cusp, integers, straight, uniform
+from judging import collinear, constant, cusp, integers, straight, uniform
 
 LENGTH = "method,length,error_estimate,evaluations,converged,exact,error".split(",")
 AT_LENGTH = "method,t,iterations,converged,exact_t,error,error_estimate,length_error".split(",")

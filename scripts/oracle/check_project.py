@@ -14,7 +14,7 @@ import sys
 from fractions import Fraction
 
 import judging
-from drawn_curves import constant, graded, integers, mirrored, straight, uniform
+from judging import constant, graded, integers, mirrored, straight, uniform
 
 COLUMNS = "method,t,distance,candidates,exact_t,exact_distance,error".split(",")
 GRID = 128

@@ -7,14 +7,14 @@ these are c_i to c_n. For a rational curve the points (w c, w) are split and the
 
 check_split.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
-import csv
 import random
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import check_eval  # noqa: E402
 import exact  # noqa: E402
+import judging  # noqa: E402
+from check_eval import KINDS, ORDINARY_T, WEIGHTS, Case  # noqa: E402
 
 COLUMNS = "method,half,index,axis,value,exact,error,error_u,bound_u".split(",")
 METHODS = ("de_casteljau_split", "lerp_split", "two_sided_split", "blossom_split", "matrix_split")
@@ -31,13 +31,13 @@ def truths(case, t):
     found = {}
     for half in HALVES:
         for i in range(case.degree + 1):
-            terms = exact.bernstein_terms(len(part(case.axes[0], half, i)) - 1, t)
             weights = case.weights and part(case.weights, half, i)
-            for axis, coefficients in zip(check_eval.AXES, case.axes):
-                points = check_eval.Case("", case.form, [part(coefficients, half, i)], [t], weights)
-                found[half, i, axis] = check_eval.truth_of(points, terms, points.axes[0])
+            terms = exact.bernstein_terms(len(part(case.axes[0], half, i)) - 1, t)
+            for axis, coefficients in zip(case.names, case.axes):
+                c = part(coefficients, half, i)
+                found[half, str(i), axis] = exact.value(terms, c, weights), exact.p_tilde(terms, c, weights)
             if weights:
-                found[half, i, "w"] = exact.value(terms, weights), exact.p_tilde(terms, weights)
+                found[half, str(i), "w"] = exact.value(terms, weights), exact.p_tilde(terms, weights)
     return found
 
 
@@ -49,43 +49,32 @@ def can_be_split(case, t):
 
 def cases(seed):
     draw = random.Random(seed)
-    for index, (kind, coefficients) in enumerate(check_eval.KINDS.items()):
+    for index, (kind, coefficients) in enumerate(KINDS.items()):
         for degree in (index % 4, draw.randint(4, 9), draw.randint(10, 24)):
             axes = [coefficients(draw, degree) for _ in range(1 + (index + degree) % 3)]
-            yield check_eval.Case(f"{kind} {degree}", "bernstein", axes, draw.sample(check_eval.ORDINARY_T, 3) + [draw.random()])
-    for index, (of_weights, weights_of) in enumerate(check_eval.WEIGHTS.items()):
+            yield Case(f"{kind} {degree}", "bernstein", axes, draw.sample(ORDINARY_T, 3) + [draw.random()])
+    for index, (of_weights, weights_of) in enumerate(WEIGHTS.items()):
         for kind in ("uniform", "integer", "mixed"):
             degree = draw.randint(0, 12)
-            axes = [check_eval.KINDS[kind](draw, degree) for _ in range(1 + (index + degree) % 3)]
-            yield check_eval.Case(f"{kind}, weights {of_weights} {degree}", "rational", axes,
-                                  draw.sample(check_eval.ORDINARY_T, 2) + [draw.random()], weights_of(draw, degree))
+            axes = [KINDS[kind](draw, degree) for _ in range(1 + (index + degree) % 3)]
+            yield Case(f"{kind}, weights {of_weights} {degree}", "rational", axes, draw.sample(ORDINARY_T, 2) + [draw.random()],
+                       weights_of(draw, degree))
 
 
-class Judge(check_eval.Judge):
-    """Judges rows of `curve split`: most columns of `curve eval`, and the number of the control point."""
+def judge(program, case, t):
+    right = truths(case, t)
+    wanted = [(method, half, str(i), axis) for method in METHODS for half in HALVES for i in range(case.degree + 1)
+              for axis in case.names + ("w" if case.weights else "")]
+    for row in judging.rows_with_keys(case.ask(program, "split", "--t", t.hex()), COLUMNS, wanted):
+        yield from judging.judge_row(row, *right[row["half"], row["index"], row["axis"]])
 
-    def judge_split(self, number, case):
-        self.file = self.folder / f"curve_{number:03}.csv"
-        case.write(self.file)
-        axes = check_eval.AXES[:len(case.axes)] + (("w",) if case.weights else ())
-        wanted = [(method, half, str(i), axis) for method in METHODS for half in HALVES for i in range(case.degree + 1)
-                  for axis in axes]
+
+def questions(program, seed):
+    for case in cases(seed):
         for t in case.parameters:
-            if not can_be_split(case, t):
-                continue
-            output = self.call(case, "split", "--t", t.hex())
-            rows = list(csv.DictReader((output or "").splitlines()))
-            fine = [tuple(row[key] for key in COLUMNS[:4]) for row in rows] == wanted and all(list(row) == COLUMNS for row in rows)
-            self.compare(fine, "rows", lambda t=t, n=len(rows): f"{case.form} {case.name}, t = {t}: {n} rows")
-            right = {key: (truth, exact.to_double(truth), p_tilde) for key, (truth, p_tilde) in truths(case, t).items()}
-            for row in rows if fine else []:
-                self.judge_row(case, {**row, "t": t}, *right[row["half"], int(row["index"]), row["axis"]])
-
-
-def judge_all(judge, seed):
-    for number, case in enumerate(cases(seed)):
-        judge.judge_split(number, case)
+            if can_be_split(case, t):
+                yield f"{case.form} {case.name}, t = {t}", judge(program, case, t)
 
 
 if __name__ == "__main__":
-    sys.exit(check_eval.main(__doc__, Judge, judge_all))
+    sys.exit(judging.main(__doc__, "splits", 200, questions))

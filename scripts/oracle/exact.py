@@ -52,43 +52,27 @@ def basis_terms(form, degree, t):
     return {"bernstein": bernstein_terms, "power": power_terms, "rational": bernstein_terms}[form](degree, t)
 
 
-def value(terms, coefficients):
-    """p(t) = sum c_i basis_i(t), from basis_terms()."""
+def _sum(terms, coefficients, weights, magnitude):
+    """sum magnitude(c_i basis_i), or with weights that of w_i c_i basis_i over magnitude(sum w_i basis_i); None where the latter is zero."""
     numerators, denominator = terms
-    c, d = with_common_denominator(coefficients)
-    return sum(k * b for k, b in zip(c, numerators)), d * denominator
-
-
-def p_tilde(terms, coefficients):
-    """p~(t) = sum |c_i| |basis_i(t)|, from basis_terms()."""
-    numerators, denominator = terms
-    c, d = with_common_denominator(coefficients)
-    return sum(abs(k * b) for k, b in zip(c, numerators)), d * denominator
-
-
-def weighted_ratio(terms, coefficients, weights, magnitude):
-    """sum magnitude(w_i c_i basis_i) and sum w_i basis_i as a pair of integers; None where the latter is zero."""
-    numerators, _ = terms
-    products, d = with_common_denominator([Fraction(w) * Fraction(c) for w, c in zip(weights, coefficients)])
+    c, d = with_common_denominator(coefficients if weights is None else [Fraction(w) * Fraction(c) for w, c in zip(weights, coefficients)])
+    numerator = sum(magnitude(k * b) for k, b in zip(c, numerators))
+    if weights is None:
+        return numerator, d * denominator
     w, e = with_common_denominator(weights)
-    denominator = sum(a * k for a, k in zip(w, numerators))
-    if denominator == 0:
-        return None
-    numerator = sum(magnitude(a * k) for a, k in zip(products, numerators))
-    return numerator * e, denominator * d
+    below = magnitude(sum(a * k for a, k in zip(w, numerators))) * d
+    return None if below == 0 else (numerator * e, below) if below > 0 else (-numerator * e, -below)
 
 
-def rational_value(terms, coefficients, weights):
-    """p(t) = sum w_i c_i basis_i(t) / sum w_i basis_i(t), from basis_terms(); None where the denominator is zero."""
-    pair = weighted_ratio(terms, coefficients, weights, lambda x: x)
-    return pair and (pair if pair[1] > 0 else (-pair[0], -pair[1]))
+def value(terms, coefficients, weights=None):
+    """p(t) = sum c_i basis_i(t), from basis_terms(); with weights sum w_i c_i basis_i(t) / sum w_i basis_i(t), or None where the
+    denominator is zero."""
+    return _sum(terms, coefficients, weights, lambda x: x)
 
 
-def rational_p_tilde(terms, coefficients, weights):
-    """p~(t) = sum |w_i c_i basis_i(t)| / |sum w_i basis_i(t)|, from basis_terms(); None where the denominator is
-    zero."""
-    pair = weighted_ratio(terms, coefficients, weights, abs)
-    return pair and (pair[0], abs(pair[1]))
+def p_tilde(terms, coefficients, weights=None):
+    """p~(t) = sum |c_i| |basis_i(t)|, from basis_terms(); with weights sum |w_i c_i basis_i(t)| / |sum w_i basis_i(t)|, or None."""
+    return _sum(terms, coefficients, weights, abs)
 
 
 # Conversions, by their definitions.
@@ -129,18 +113,10 @@ def ulp_exponent(x):
 
 def to_double(x):
     """The double nearest to the rational x, ties to even; infinite from 2^1024 - 2^970 on. A zero keeps its sign."""
-    numerator, denominator = x
-    if numerator == 0:
-        return 0.0
-    k = ulp_exponent(x)
-    a = abs(numerator) << max(-k, 0)
-    b = denominator << max(k, 0)
-    quotient, remainder = divmod(a, b)  # |x| / 2^k
-    if 2 * remainder > b or (2 * remainder == b and quotient % 2 == 1):
-        quotient += 1
-    # 2^53 2^971 is 2^1024
-    magnitude = INFINITY if quotient.bit_length() + k > 1024 else math.ldexp(float(quotient), k)
-    return magnitude if numerator > 0 else -magnitude
+    try:
+        return x[0] / x[1]  # Python rounds the quotient of two integers once, subnormal ones as well
+    except OverflowError:
+        return INFINITY if x[0] > 0 else -INFINITY
 
 
 def error(computed, truth):
