@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Formula: f = x(t) - x, t <- t - 2 f f' / (2 f'^2 - f f''), inside a bracket that every sign of f narrows, from [x/4,
 //   1], since x(t) <= 3 t; where the step leaves the bracket or is not a number, its middle, the geometric one while
-//   the ends are far apart. It ends at a step of at most u t, or where the bracket has no number inside.
+//   the ends are far apart. It begins at t = x, and for x below 1/32 where the first of 3 x1 t, 3 x2 t^2 and t^3 is
+//   about x. It ends before a step of at most u t, or where the bracket has no number inside.
 // Source: [Traub 1964], section 5.2, Halley's method; the bracket as in [Press et al. 2007], section 9.4.
 // Cost: 40 flops a step, about 4 steps.
 // Bound: none is stated. x(t) has a relative error of a few u, t one of x / (t x'(t)) times that.
-// Fails: where x'(t) vanishes t has a third of the digits; y may go back by a few ulp between neighbouring x. Where
-//   roundings of f decide the last steps, the bracket is halved: about 50 steps in double.
+// Fails: where x'(t) vanishes t has a third of the digits; y may go back by a few ulp between neighbouring x.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -31,7 +32,7 @@ struct EasingHalley : EasingAsGiven {
     constexpr Scalar u = std::numeric_limits<Scalar>::epsilon() / 2;
     Scalar low = x / 4;
     Scalar high = 1;
-    Scalar t = x;
+    Scalar t = start(curve, x);
     int steps = 0;
     while (steps < most_easing_steps) {
       const Scalar f = bernstein_cubic(curve.x1, curve.x2, t) - x;
@@ -41,14 +42,21 @@ struct EasingHalley : EasingAsGiven {
       const Scalar slope = bernstein_cubic_slope(curve.x1, curve.x2, t);
       const Scalar bend = 6 * ((1 - t) * (curve.x2 - 2 * curve.x1) + t * (1 - 2 * curve.x2 + curve.x1));
       Scalar next = t - 2 * f * slope / (2 * slope * slope - f * bend);
+      if (std::abs(next - t) <= u * t) break;
       if (!(next > low && next < high))
         next = high > 4 * low ? std::sqrt(low) * std::sqrt(high) : low + (high - low) / 2;
-      const Scalar moved = std::abs(next - t);
       if (!(next > low && next < high)) break;
       t = next;
-      if (moved <= u * t) break;
     }
     return {t, bernstein_cubic(curve.y1, curve.y2, t), steps, steps < most_easing_steps};
+  }
+
+ private:
+  template <class Scalar>
+  static Scalar start(const EasingCurve<Scalar>& curve, Scalar x) {
+    if (x > Scalar(1) / 32) return x;
+    const Scalar cube_root = std::ldexp(Scalar(1), std::ilogb(x) / 3);  // within a factor of 1.6
+    return std::min({x / (3 * curve.x1), std::sqrt(x / (3 * curve.x2)), cube_root});
   }
 };
 

@@ -152,6 +152,14 @@ TEST(Easing, BeyondTheEndsGoesOnAsALine) {
   EXPECT_EQ(at({1, 0.5, 1, 1}, 2), 1);
 }
 
+/// x(t) is about 3 x2 t^2 and t^3 there; from t = x it took more than 30 steps.
+TEST(EasingHalley, BeginsNearTheRoot) {
+  for (const double x : {0x1p-100, 0x1.8p-200, 0x1.1p-301}) {
+    EXPECT_LE(eased<EasingHalley>(Curve64{0, 0, 0.58, 1}, x).steps, 8) << x;
+    EXPECT_LE(eased<EasingHalley>(Curve64{0, 1, 0, 1}, x).steps, 8) << x;
+  }
+}
+
 /// Neighbours of x on curves that do not fall, where the tangent is vertical, too.
 TEST(EasingCorrectlyRounded, DoesNotGoBack) {
   Inputs inputs(3);

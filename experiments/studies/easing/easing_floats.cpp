@@ -36,7 +36,7 @@ struct EasedFloats {
   std::uint64_t non_monotone = 0;   ///< steps to the next float at which y falls
   std::uint64_t not_converged = 0;  ///< floats at which a loop was ended
   std::uint64_t max_steps = 0;
-  double max_error = -1;        ///< in ulp, to about 30 bits; infinite where y is not finite
+  double max_error = -1;        ///< in ulp, right to 2^-22; infinite where y is not finite
   std::uint32_t worst_x = ~0U;  ///< bits of the first x that has it
 
   template <class Bytes, class Self>
@@ -82,23 +82,23 @@ struct NamedEasing {
 /// The true y at one float.
 struct TrueY {
   float nearest;
-  double y;    ///< to 30 bits at least
+  double y;    ///< to 46 bits at least
   double ulp;  ///< of float, at y
 };
 
+/// The distance of floats at y, which is not 0.
+double float_ulp(double y) {
+  constexpr int smallest = -149;
+  return std::ldexp(1.0, std::max(std::ilogb(y) - 23, smallest));
+}
+
 TrueY true_y(const NamedEasing& easing, reference::FloatEasing& enclosing, float x) {
   if (x > 0 && x < 1)
-    if (const auto y = enclosing.at(x)) {
-      const auto low = static_cast<float>(y->low);
-      const auto exponent = [](long double a) { return a == 0 ? -1000 : std::ilogb(a); };
-      if (low == static_cast<float>(y->high) && y->low * y->high > 0 && exponent(y->low) == exponent(y->high) &&
-          std::fabs(y->high - y->low) <= 0x1p-54L * std::fabs(y->low))
-        return {low, static_cast<double>(y->low), std::ldexp(1.0, std::max(exponent(y->low) - 23, -149))};
-    }
+    if (const auto y = enclosing.at(x); y && y->decides())
+      return {static_cast<float>(y->low), y->low + (y->high - y->low) / 2, float_ulp(y->low)};
   auto exact = easing.exact(x);
   const double y = exact.nearest(reference::binary64);
-  const double ulp = y == 0 ? 0x1p-149 : std::ldexp(1.0, std::max(std::ilogb(y) - 23, -149));
-  return {static_cast<float>(exact.nearest(reference::binary32)), y, ulp};
+  return {static_cast<float>(exact.nearest(reference::binary32)), y, float_ulp(y == 0 ? 0x1p-149 : y)};
 }
 
 /// A curve and an interval are a part.
