@@ -40,6 +40,7 @@ template <class Number>
 std::optional<FloatEasing::Interval> FloatEasing::at(const Curve<Number>& curve, Number x, int most_steps) {
   constexpr Number unit = std::numeric_limits<Number>::epsilon() / 2;
   const auto& [x1, y1, x2, y2] = curve;
+  const auto residual = [&curve, x](Number at) { return cubic(curve.x1, curve.x2, at) - x; };
   const Number uncertain = 12 * unit * x;
   Number low = 0;
   Number high = 1;
@@ -48,7 +49,7 @@ std::optional<FloatEasing::Interval> FloatEasing::at(const Curve<Number>& curve,
   Number t = t_ + (t_ - t_before_);
   if (!(t > 0 && t < 1)) t = t_;
   for (int step = 0; step < most_steps; ++step) {
-    off = cubic(x1, x2, t) - x;
+    off = residual(t);
     const Number s = 1 - t;
     slope = 3 * (s * s * x1 + 2 * s * t * (x2 - x1) + t * t * (1 - x2));
     if (std::abs(off) <= uncertain) break;
@@ -61,8 +62,8 @@ std::optional<FloatEasing::Interval> FloatEasing::at(const Curve<Number>& curve,
   if (!(slope > 0)) return std::nullopt;
   Number width = 2 * (std::abs(off) + uncertain) / slope + 4 * unit * t;
   const auto encloses = [&] {
-    const bool is_after = t - width <= 0 || cubic(x1, x2, t - width) - x < -uncertain;
-    return is_after && (t + width >= 1 || cubic(x1, x2, t + width) - x > uncertain);
+    const bool is_after = t - width <= 0 || residual(t - width) < -uncertain;
+    return is_after && (t + width >= 1 || residual(t + width) > uncertain);
   };
   for (int attempt = 0; !encloses(); ++attempt, width *= 16)
     if (attempt == 3) return std::nullopt;

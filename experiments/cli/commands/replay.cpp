@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // `replay`: recomputes a recorded input from its bits: of a worst case it splits the error into parts, of a property it
-// says by how much the input breaks it.
+// says by how much the input breaks it, of a box on which sides points of the curve are outside.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -23,6 +24,7 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
 #include "experiments/judge/scalar_facts.hpp"
+#include "experiments/studies/bounds/problem.hpp"
 #include "experiments/studies/external/external.hpp"
 #include "experiments/suite/names.hpp"
 #include "reference/exact_point.hpp"
@@ -32,18 +34,29 @@
 namespace bezierbench::cli {
 namespace {
 
-// One row of a bundle that holds an input: of worst.csv, search.csv, guarantees.csv or guarantees_unstable.csv.
+// One row of a bundle that holds an input: of worst.csv, search.csv, guarantees.csv, guarantees_unstable.csv or
+// bounds.csv.
+
+/// What a row is about.
+enum class Recorded { point, property, box };
 
 /// A file of inputs.
 struct WorstFile {
   std::string_view name;
-  std::string_view id;       ///< name of the column
-  std::string_view error_u;  ///< name of the column; empty where rows are about properties, not errors
+  Recorded about;
+  std::string_view id;       ///< name of the column; where it is empty, rows are named by the file and their line
+  std::string_view error_u;  ///< name of the column, of points
+
+  [[nodiscard]] std::string id_of(const bundle::CsvDocument& table, std::size_t row) const {
+    return id.empty() ? fmt::format("{}:{}", name, table.line(row)) : table.at(row, id);
+  }
 };
 
-constexpr std::array worst_files{
-    WorstFile{"worst.csv", "worst_id", "error_u"}, WorstFile{"search.csv", "search_id", "searched_error_u"},
-    WorstFile{"guarantees.csv", "guarantee_id", ""}, WorstFile{"guarantees_unstable.csv", "guarantee_id", ""}};
+constexpr std::array worst_files{WorstFile{"worst.csv", Recorded::point, "worst_id", "error_u"},
+                                 WorstFile{"search.csv", Recorded::point, "search_id", "searched_error_u"},
+                                 WorstFile{"guarantees.csv", Recorded::property, "guarantee_id", ""},
+                                 WorstFile{"guarantees_unstable.csv", Recorded::property, "guarantee_id", ""},
+                                 WorstFile{"bounds.csv", Recorded::box, "", ""}};
 
 /// A row whose fields are checked when they are used: all functions throw Failure(input_output) that names file, line
 /// and column.
@@ -62,20 +75,20 @@ class WorstRecord {
   /// The cell of the input, with curve kind, dimension and degree only: a single input does not need the other axes.
   [[nodiscard]] sample::Cell cell() const {
     sample::Cell cell;
-    if (!is_about_property()) cell.form = word<Form>("form");  // properties are of Bernstein form
+    if (about() != Recorded::property) cell.form = word<Form>("form");  // properties are of Bernstein form
     cell.dimension = count("dimension", 1, reference::max_dimension);
     cell.degree = count("degree", 0, max_degree);
     return cell;
   }
   [[nodiscard]] sample::Trial input(const sample::Cell& cell) const {
-    const std::string_view weights = is_about_property() ? std::string_view() : text("weights");
-    const auto trial = judge::parse_input({text("t"), text("coefficients"), weights}, cell);
+    const std::string_view weights = about() == Recorded::property ? std::string_view() : text("weights");
+    const std::string_view t = about() == Recorded::box ? std::string_view("0") : text("t");
+    const auto trial = judge::parse_input({t, text("coefficients"), weights}, cell);
     if (!trial) malformed("coefficients", "weights and t are not the numbers of a curve of this degree and dimension");
     return *trial;
   }
   [[nodiscard]] double error_u() const { return number(file_.error_u); }
-  /// True for a row that says whether a method keeps a property.
-  [[nodiscard]] bool is_about_property() const { return file_.error_u.empty(); }
+  [[nodiscard]] Recorded about() const { return file_.about; }
 
   [[noreturn]] void malformed(std::string_view column, std::string_view what) const {
     throw Failure(Exit::input_output, fmt::format("{}:{}: {} {}; restore the file or run the suite again",
@@ -108,15 +121,16 @@ WorstRecord find_worst_record(const bundle::BundleDirectory& bundle, const std::
     auto table = bundle.table(file.name);
     const std::size_t rows = table ? table->row_count() : 0;
     for (std::size_t row = 0; row < rows; ++row)
-      if (table->at(row, file.id) == id) return {std::move(*table), row, file};
+      if (file.id_of(*table, row) == id) return {std::move(*table), row, file};
     if (rows > 0)
-      there.push_back(fmt::format("{} to {} in {}", table->at(0, file.id), table->at(rows - 1, file.id), file.name));
+      there.push_back(fmt::format("{} to {} in {}", file.id_of(*table, 0), file.id_of(*table, rows - 1), file.name));
   }
   if (there.empty())
-    throw Failure(Exit::usage,
-                  fmt::format("{}: has no inputs with an id (worst.csv, search.csv, guarantees.csv); name a "
-                              "bundle that has",
-                              bundle.path().string()));
+    throw Failure(
+        Exit::usage,
+        fmt::format("{}: has no inputs with an id (worst.csv, search.csv, guarantees.csv, bounds.csv); name a "
+                    "bundle that has",
+                    bundle.path().string()));
   throw Failure(Exit::usage, fmt::format("{}: no such id in {}; there are {}, see worst_id, search_id and guarantee_id",
                                          id, bundle.path().string(), fmt::join(there, ", ")));
 }
@@ -124,12 +138,14 @@ WorstRecord find_worst_record(const bundle::BundleDirectory& bundle, const std::
 /// The number in hexadecimal, which keeps all bits, and in decimal.
 std::string both(double value) { return fmt::format("{} ({})", number::hexadecimal(value), number::decimal(value)); }
 
-/// A line for each coordinate of each coefficient.
+/// A line for each coordinate of each coefficient, and for each weight.
 template <class Scalar>
 void print_points(const CurveView<Scalar>& curve) {
   for (int i = 0; i <= curve.degree; ++i)
     for (int axis = 0; axis < curve.dimension; ++axis)
       fmt::print("  {}[{}]{:<7}{}\n", axis_name(axis), i, "", both(static_cast<double>(curve(axis, i))));
+  for (std::size_t i = 0; i < curve.weights.size(); ++i)
+    fmt::print("  w[{}]{:<7}{}\n", i, "", both(static_cast<double>(curve.weights[i])));
 }
 
 template <class Scalar>
@@ -137,8 +153,6 @@ void print_input(const judge::TrialInputs<Scalar>& inputs) {
   const auto curve = inputs.curve();
   fmt::print("\ninput\n  t          {}\n", both(inputs.true_t()));
   print_points(curve);
-  for (std::size_t i = 0; i < curve.weights.size(); ++i)
-    fmt::print("  w[{}]{:<7}{}\n", i, "", both(static_cast<double>(curve.weights[i])));
 }
 
 template <class Scalar>
@@ -300,6 +314,53 @@ Exit replay_property(const std::string& id, const WorstRecord& record, const sam
                                                        : asked_again<double>(id, record, cell);
 }
 
+void print_side(std::string_view axis, std::string_view side, double computed, double tightest,
+                const studies::SideError& error) {
+  fmt::print("  {} {:<4} computed {}\n         tightest {}\n         {} doubles {}\n", axis, side, both(computed),
+             both(tightest), number::decimal(std::abs(error.ulp)), error.ulp < 0 ? "inside" : "outside");
+}
+
+/// Asks the method for the box of the recorded curve again and prints each side beside the tightest one. `fine` where a
+/// point of the curve is outside, as recorded, else `finding`. Throws Failure(usage) for a row without a curve,
+/// Failure(input_output) for a field that is malformed.
+Exit replay_box(const std::string& id, const WorstRecord& record, const sample::Cell& cell) {
+  if (record.text("coefficients").empty())
+    throw Failure(
+        Exit::usage,
+        fmt::format("{}: has no curve with a point outside; see the rows whose column contains says refuted", id));
+  const auto kernels = bounds_kernels(cell.dimension);
+  const auto method = std::ranges::find_if(
+      kernels, [&](const auto& one) { return one.info->id == record.text("method") && one.info->form == cell.form; });
+  if (method == kernels.end()) record.malformed("method", "is not one that this program knows");
+  studies::BoundsProblem::Drawn drawn;
+  drawn.trial = record.input(cell);
+  drawn.curve = {cell.form, cell.dimension, cell.degree, drawn.trial.coefficients, drawn.trial.weights};
+  studies::BoundsProblem::find_truth(drawn);
+  studies::BoundsProblem::Answer box;
+  studies::BoundsProblem::ask(*method, drawn, 0, box);
+
+  fmt::print("{}\n\ninput\n",
+             printable(fmt::format("{}: study {}, method {}, {} {}, degree {}", id, record.text("study"),
+                                   record.text("method"), record.text("scalar"), record.text("form"), cell.degree)));
+  print_points(drawn.curve);
+  fmt::print("\nresult\n");
+  bool is_outside = false;
+  for (int axis = 0; axis < cell.dimension; ++axis) {
+    const auto& tightest = drawn.truth[static_cast<std::size_t>(axis)];
+    const double low = box[2 * static_cast<std::size_t>(axis)];
+    const double high = box[2 * static_cast<std::size_t>(axis) + 1];
+    const auto below = studies::side_error(low, tightest.low);
+    const auto above = studies::side_error(-high, -tightest.high);
+    print_side(axis_name(axis), "low", low, tightest.low, below);
+    print_side(axis_name(axis), "high", high, tightest.high, above);
+    is_outside = is_outside || below.ulp < 0 || above.ulp < 0;
+  }
+  fmt::print("  recorded   {}: {}\n", printable(record.text("contains")), is_outside ? "the same" : "DIFFERENT");
+  if (!is_outside)
+    say("what is recorded is not what this program computes; compare the builds with `bezierbench --version`");
+  return is_outside ? Exit::fine : Exit::finding;
+}
+
 }  // namespace
 
 void add_replay(Command program, Exit& exit, std::span<const external::OwnMethod> own) {
@@ -311,15 +372,16 @@ void add_replay(Command program, Exit& exit, std::span<const external::OwnMethod
   auto options = std::make_shared<Options>();
   auto command = program.command("replay", "recompute one recorded worst case or counterexample");
   command.option("BUNDLE", options->bundle, "folder of the bundle").required();
-  command.option("ID", options->id, "a worst_id, search_id or guarantee_id of the bundle").required();
+  command.option("ID", options->id, "a worst_id, search_id or guarantee_id of the bundle, or bounds.csv:LINE")
+      .required();
   auto external = std::make_shared<ExternalOptions>(own);
   external->add(command);
   command.option("--answers", options->answers, "the file that `judge` read").takes(file_value);
   command.action([options, external, &exit] {
     const WorstRecord record = find_worst_record(bundle::BundleDirectory::open(options->bundle), options->id);
     const auto cell = record.cell();
-    if (record.is_about_property()) {
-      exit = replay_property(options->id, record, cell);
+    if (record.about() != Recorded::point) {
+      exit = (record.about() == Recorded::property ? replay_property : replay_box)(options->id, record, cell);
       return;
     }
     external::Methods given;

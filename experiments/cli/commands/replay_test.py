@@ -14,7 +14,9 @@ STUDIES = ['[[study]]', 'id = "a"', 'kind = "accuracy"', 'curve = "bernstein"', 
            '[[study]]', 'id = "b"', 'kind = "search"', 'curve = "power"', 'degree = [3]', 'trials = 20',
            'budget = 50',
            '[[study]]', 'id = "c"', 'kind = "guarantees"', 'curve = "bernstein"', 'degree = [1, 3]', 'scalar = ["float", "double"]',
-           'methods = ["de_casteljau", "de_casteljau_lerp", "direct*"]', 'trials = 10', 'budget = 2000']
+           'methods = ["de_casteljau", "de_casteljau_lerp", "direct*"]', 'trials = 10', 'budget = 2000',
+           '[[study]]', 'id = "d"', 'kind = "bounds"', 'curve = "bernstein"', 'degree = [2, 3]', 'dimension = [1, 3]', 'trials = 50',
+           '[[study]]', 'id = "e"', 'kind = "bounds"', 'curve = "rational"', 'degree = [3]', 'trials = 50']
 
 
 class Replay(Case):
@@ -57,6 +59,28 @@ class Replay(Case):
                 self.assertIn("it breaks the property" if row["verdict"] == "refuted" else "it does not break", text)
                 for words in [row["property"], row["t"], row["t_next"], row["offset"], *row["coefficients"].split()]:
                     self.assertIn(words, text)
+
+    def test_boxes_lose_a_point_again(self):
+        rows = {f"bounds.csv:{line}": row for line, row in enumerate(self.recorded("bounds.csv"), 2)}
+        refuted = {name: row for name, row in rows.items() if row["contains"] == "refuted"}
+        self.assertEqual({row["form"] for row in refuted.values()}, {"bernstein", "rational"})
+        for name, row in refuted.items():
+            with self.subTest(name=name):
+                text = self.fine("replay", "b", name)
+                for words in [row["method"], "doubles inside", "refuted: the same", *row["coefficients"].split(), *row["weights"].split()]:
+                    self.assertIn(words, text)
+        proved = next(name for name, row in rows.items() if row["contains"] == "proved")
+        self.refused(USAGE, ["replay", "b", proved], "has no curve with a point outside")
+
+    def test_a_box_that_contains_its_curve_is_a_finding(self):
+        rows = self.recorded("bounds.csv")
+        line = next(line for line, row in enumerate(rows, 2) if row["contains"] == "refuted" and row["form"] == "bernstein")
+        row = rows[line - 2]
+        row["coefficients"] = " ".join(["0x1p+0"] * len(row["coefficients"].split()))
+        self.write(self.folder / "b/bounds.csv", rows)
+        result = self.run_program("replay", "b", f"bounds.csv:{line}")
+        self.assertEqual(result.returncode, FINDING)
+        self.assertIn(b"DIFFERENT", result.stdout)
 
     def test_a_proof_has_no_input(self):
         row = next(r for r in self.recorded("guarantees.csv") if r["verdict"] == "proved")

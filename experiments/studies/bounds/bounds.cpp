@@ -49,6 +49,10 @@ SideError side_error(double computed, double tightest) {
 
 void BoundsProblem::draw(std::uint64_t number, Drawn& drawn) const {
   curves_.draw(number, drawn);
+  find_truth(drawn);
+}
+
+void BoundsProblem::find_truth(Drawn& drawn) {
   drawn.truth.clear();
   drawn.size = 0;
   for (int axis = 0; axis < drawn.curve.dimension; ++axis) {

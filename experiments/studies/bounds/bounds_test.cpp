@@ -86,12 +86,7 @@ TEST(BoundsStudy, ARefutationCanBeReplayed) {
   ASSERT_TRUE(curve);
   BoundsProblem::Drawn drawn;
   drawn.curve = {Form::bernstein, cell.dimension, cell.degree, curve->coefficients};
-  double size = 0;
-  for (int axis = 0; axis < cell.dimension; ++axis) {
-    drawn.truth.push_back(reference::exact_range(drawn.curve, axis));
-    size = std::max(size, drawn.truth.back().high - drawn.truth.back().low);
-  }
-  drawn.size = size;
+  BoundsProblem::find_truth(drawn);
   for (const auto& method : BoundsProblem::kernels(cell.dimension)) {
     if (method.info->id != study.methods.front()) continue;
     BoundsProblem::Answer box;
@@ -131,8 +126,7 @@ TEST(BoundsStudy, APromiseIsJudged) {
 bool is_too_small(std::string_view id, const std::vector<double>& b) {
   BoundsProblem::Drawn drawn;
   drawn.curve = {Form::bernstein, 1, static_cast<int>(b.size()) - 1, b};
-  drawn.truth = {reference::exact_range(drawn.curve, 0)};
-  drawn.size = drawn.truth[0].high - drawn.truth[0].low;
+  BoundsProblem::find_truth(drawn);
   BoundsErrors errors;
   for (const auto& method : BoundsProblem::kernels(1)) {
     if (method.info->id != id || method.info->form != Form::bernstein) continue;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The box of a random curve against the tightest box of doubles. An answer is right if no point of the curve is outside
-// or, where nothing is promised,
-// if at least half of the digits of the curve's size are right.
+// or, where nothing is promised, if at least half of the digits of the curve's size are right.
 #pragma once
 
 #include <array>
@@ -121,6 +120,8 @@ class BoundsProblem {
       : curves_(study, seed, part.cell) {}
 
   void draw(std::uint64_t number, Drawn& drawn) const;
+  /// Of the curve that was drawn.
+  static void find_truth(Drawn& drawn);
   static void ask(const Kernel& method, const Drawn& drawn, double tolerance, Answer& box);
   static std::array<std::span<double>, 1> numbers(Answer& box) { return {box}; }
   static void judge(const Kernel& method, const Drawn& drawn, double tolerance, const Answer& box, std::uint64_t number,
