@@ -80,7 +80,8 @@ TEST(Evaluate, ChoosesAsTheRuleSays) {
   EXPECT_EQ(recommended(513).id, "de_casteljau");
   EXPECT_EQ((recommended<Form::bernstein, float>(64).id), "horner_bernstein");
   EXPECT_EQ((recommended<Form::bernstein, float>(65).id), "de_casteljau");
-  EXPECT_EQ(recommended<Form::power>(3).id, "horner");
+  EXPECT_EQ(recommended<Form::power>(8).id, "horner");
+  EXPECT_EQ(recommended<Form::power>(9).id, "estrin");
   EXPECT_EQ(recommended<Form::rational>(3).id, "horner_bernstein");
 }
 

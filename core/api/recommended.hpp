@@ -11,6 +11,10 @@
 // the same bundle), and those past half of the type's largest exponent, 512 in double and 64 in float. Up to there
 // C(n,i) < 2^n, so that C(n,i) b_i is finite for coordinates up to 1e154 in double, 1e19 in float.
 //
+// In power form the choice is `estrin`, for degrees above 8. Up to there `horner` is as fast in that bundle (the ratios at
+// degrees 3 and 5), and faster in a program that inlines it. `estrin` requires that t^n is finite, even where the last
+// coefficients are 0.
+//
 // Scalars that are not floating-point numbers get the scheme that needs least of them, sums and products:
 // `de_casteljau` or `horner`.
 #pragma once
@@ -20,6 +24,7 @@
 
 #include "core/evaluate/homogeneous.hpp"
 #include "core/evaluate/methods/de_casteljau.hpp"
+#include "core/evaluate/methods/estrin.hpp"
 #include "core/evaluate/methods/horner.hpp"
 #include "core/evaluate/methods/horner_bernstein.hpp"
 
@@ -36,6 +41,9 @@ constexpr bool is_for_nested_scheme(int degree) {
 template <Form F, class Scalar, class Use>
 auto with_recommended(int degree, const Use& use) {
   if constexpr (F == Form::power) {
+    constexpr int most_for_horner = 8;
+    if constexpr (std::floating_point<Scalar>)
+      if (degree > most_for_horner) return use.template operator()<Estrin>();
     return use.template operator()<Horner>();
   } else if constexpr (F == Form::rational) {
     if constexpr (std::floating_point<Scalar>)

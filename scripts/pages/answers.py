@@ -14,6 +14,7 @@ from typing import Callable
 from report.answer import ROUNDOFF, SMALL, is_proved_small
 from report.findings import real_curves
 from report.inputs import ONE_SET
+from report.schema import faults
 from report.rows import distinct, fits
 from report.wording import general, interval, large, listing, scientific, shortest
 from scripts.pages.markdown import WIDTH, table
@@ -54,6 +55,11 @@ def bounded(row):
     return done(row) and is_proved_small(row["bound_u"], row["degree"], row["form"]) and not row["bound_violations"]
 
 
+def faultless(row, kind):
+    """Whether a row of a kind of study has none of the faults that its table declares."""
+    return done(row) and not any(row[fault] for fault in faults(kind))
+
+
 def in_u(rows):
     return f"{general(max(number(row, 'max_error_u') for row in rows), 2)} u"
 
@@ -84,6 +90,8 @@ REAL = (
     on_sets("Real curves, double", "the same share", MISROUNDED, "double"),
 )
 PROVED = f"bound proved, at most {SMALL}n u p~"
+CHORDS = 1.2  # chords over the least number, in the mean
+EXCESS = 1e-12  # of a box, in sizes of the curve
 NEEDS = (
     Need("Fast and safe, t in [0, 1]", PROVED, "accuracy.csv", ("answers-bezier",), "answers-bezier-time", bounded, in_u),
     Need("Proved, and not growing with n", "at most 2 u p~", "accuracy.csv", ("answers-bezier",),
@@ -104,6 +112,15 @@ NEEDS = (
     Need("Nearest point", "no nearer one missed", "projection.csv", ("answers-nearest",), "answers-nearest-time",
          lambda row: done(row) and row["missed"] == 0 and not row["non_converged"],
          lambda rows: f"{general(max(number(row, 'max_error_eps') for row in rows), 2)} eps", mode="one_shot"),
+    Need("Curve as chords", f"the tolerance of {{tolerance}} of its size proved for every chord, at most {CHORDS} times the least number of chords",
+         "flattening.csv", ("answers-flattening",), "answers-flattening-time",
+         lambda row: faultless(row, "flattening") and number(row, "mean_over_least") <= CHORDS,
+         lambda rows: f"{general(max(number(row, 'mean_over_least') for row in rows), 3)} × the least number", mode="one_shot"),
+    Need("Easing, y of an x", "monotone, the ends exact, within 1 ulp", "easing.csv", ("answers-easing",), "answers-easing-time",
+         lambda row: faultless(row, "easing") and number(row, "max_error_ulp") <= 1, in_ulp, mode="one_shot"),
+    Need("Box of a curve", f"never too small, at most {EXCESS:g} of its size too large", "bounds.csv", ("answers-boxes",), "answers-boxes-time",
+         lambda row: faultless(row, "bounds") and number(row, "max_excess_size") <= EXCESS,
+         lambda rows: f"{scientific(max(number(row, 'max_excess_size') for row in rows), 2)} of the size", mode="one_shot"),
 )
 
 
@@ -210,7 +227,7 @@ def units():
             "Lengths: relative; nearest points: eps is 2^-52 times the largest coordinate. "
             "×: the time over that of the third column's method, side by side, as its 99 % interval; instructions: counted by Valgrind, the same on "
             "every run; ns: about, on the bundle's machine. All are per prepared point, of lengths and nearest points for one answer from the "
-            "control points. Methods in parentheses are as fast, as far as the intervals tell.")
+            "control points, of easing curves for 97 x. Methods in parentheses are as fast, as far as the intervals tell.")
 
 
 def trials_on_sets(real):
