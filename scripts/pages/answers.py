@@ -7,6 +7,7 @@ side. Those whose intervals overlap with its own at every degree are tied with i
 proved bound.
 """
 import math
+import statistics
 import textwrap
 from dataclasses import dataclass, field
 from typing import Callable
@@ -214,9 +215,9 @@ def demand(bundle, need):
 def trials(bundle):
     """A sentence: how many curves the errors of each need are the largest of."""
     least = {need.name: min((row["trials"] for row in rows_of(bundle, need)), default=0) for need in NEEDS}
-    usual = max(least.values())
-    fewer = ", ".join(f"{name.lower()} {large(number)}" for name, number in least.items() if number < usual)
-    return f"Errors are the largest of {large(usual)} random curves{f' ({fewer})' if fewer else ''} for each cell, against the **exact** value."
+    usual = statistics.mode(least.values())
+    others = ", ".join(f"{name.lower()} {large(number)}" for name, number in least.items() if number != usual)
+    return f"Errors are the largest of {large(usual)} random curves{f' ({others})' if others else ''} for each cell, against the **exact** value."
 
 
 def units():

@@ -18,15 +18,15 @@ bool is_innocent(const std::string& field) { return field.empty() || field == "0
 
 }  // namespace
 
-std::set<std::string, std::less<>> promising_methods(const CsvDocument& methods_csv) {
+std::set<std::string, std::less<>> methods_without_promise(const CsvDocument& methods_csv) {
   std::set<std::string, std::less<>> ids;
   for (std::size_t row = 0; row < methods_csv.row_count(); ++row)
-    if (!methods_csv.at(row, "bound").empty()) ids.insert(methods_csv.at(row, "id"));
+    if (methods_csv.at(row, "bound").empty()) ids.insert(methods_csv.at(row, "id"));
   return ids;
 }
 
 std::vector<std::string> row_faults(const std::string& file, const CsvDocument& table,
-                                    const std::set<std::string, std::less<>>& promising) {
+                                    const std::set<std::string, std::less<>>& without_promise) {
   const auto& declared = *declared_table(file);
   std::vector<std::string> faults;
   FewLines lines(table.file_name());
@@ -34,7 +34,8 @@ std::vector<std::string> row_faults(const std::string& file, const CsvDocument& 
     if (column.accuses.empty() || !table.has_column(column.name)) continue;
     for (std::size_t row = 0; row < table.row_count(); ++row) {
       const auto& field = table.at(row, column.name);
-      if (is_innocent(field) || (column.is_of_promise && !promising.contains(table.at(row, declared.method)))) continue;
+      if (is_innocent(field)) continue;
+      if (column.is_of_promise && without_promise.contains(table.at(row, declared.method))) continue;
       const auto count = field == "no" ? std::string() : field + " ";
       lines.add(fmt::format("{}:{}: {}{}", table.file_name(), table.line(row), count, column.accuses));
     }

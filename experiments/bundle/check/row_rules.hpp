@@ -11,12 +11,12 @@
 
 namespace bezierbench::bundle {
 
-/// The methods for which methods.csv states a bound or a promise.
-[[nodiscard]] std::set<std::string, std::less<>> promising_methods(const CsvDocument& methods_csv);
+/// The methods for which methods.csv states neither a bound nor a promise. External methods are not in it.
+[[nodiscard]] std::set<std::string, std::less<>> methods_without_promise(const CsvDocument& methods_csv);
 
-/// The lines that tell which rows of the table `file` accuse a method, for example of broken promises. `promising` are the
-/// methods that promise something.
+/// The lines that tell which rows of the table `file` accuse a method, for example of broken promises. Columns that
+/// accuse only a broken promise say nothing against the methods `without_promise`.
 [[nodiscard]] std::vector<std::string> row_faults(const std::string& file, const CsvDocument& table,
-                                                  const std::set<std::string, std::less<>>& promising);
+                                                  const std::set<std::string, std::less<>>& without_promise);
 
 }  // namespace bezierbench::bundle

@@ -15,7 +15,7 @@ struct Column {
   bool is_digested = false;  ///< part of the table's digests
   /// What a count above 0, or a `no`, says against a row, for `verify`; empty where it does not matter.
   std::string accuses = {};
-  bool is_of_promise = false;  ///< it accuses only methods for which methods.csv states a bound or promise
+  bool is_of_promise = false;  ///< it says nothing against methods for which methods.csv states no bound
 };
 
 struct DeclaredTable {
