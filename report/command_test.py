@@ -159,7 +159,7 @@ class Isolation(unittest.TestCase):
 
     def test_every_script_starts_python_isolated(self):
         """A file run by its path has its own folder first on the module path; -c, -m and standard input have the current one."""
-        starts = re.compile(r"(?:python3?\b\"?|_PYTHON\}|_EXECUTABLE\})\s+(-\S*|\")")
+        starts = re.compile(r"(?:python3?\b\"?|_PYTHON\}|_EXECUTABLE\})\s+(-[\w-]*|\")")
         texts = [path for folder in ("scripts", "report", "experiments", "core", "cmake", ".ci") for path in (ROOT / folder).rglob("*")
                  if path.is_file() and (path.name == "CMakeLists.txt" or path.suffix in (".cmake", ".sbatch", ""))]
         self.assertGreater(len(texts), 20)
