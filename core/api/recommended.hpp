@@ -11,9 +11,9 @@
 // the same bundle), and those past half of the type's largest exponent, 512 in double and 64 in float. Up to there
 // C(n,i) < 2^n, so that C(n,i) b_i is finite for coordinates up to 1e154 in double, 1e19 in float.
 //
-// In power form the choice is `estrin`, for degrees above 8. Up to there `horner` is as fast in that bundle (the ratios at
-// degrees 3 and 5), and faster in a program that inlines it. `estrin` requires that t^n is finite, even where the last
-// coefficients are 0.
+// In power form the choice is `estrin`, for degrees above 8. Up to there `horner` is as fast in that bundle (the ratios
+// at degrees 3 and 5), and faster in a program that inlines it. `estrin` requires that t^n is finite, even where the
+// last coefficients are 0.
 //
 // Scalars that are not floating-point numbers get the scheme that needs least of them, sums and products:
 // `de_casteljau` or `horner`.

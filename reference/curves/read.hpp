@@ -56,18 +56,18 @@ struct NamedRead {
 /// and `STEM` for a curve without an id. Throws Unreadable for more curves than a set may have.
 Read joined(std::span<const NamedRead> files);
 
-/// Reads the curves that an SVG document draws, by [SVG 2]: paths and basic shapes with their transforms, `use` expanded.
-/// Only what is rendered: not what is in `defs`, `clipPath`, `mask`, `pattern`, `marker` or a `symbol` that is not
-/// used, and nothing with `display:none` in an attribute. Ids are `PATH:SUBPATH:SEGMENT`, counted from 0; PATH is the
-/// id of the element where it has one that is not in use before. Coordinates are those of the outermost `svg`, in px;
-/// `viewBox`, style sheets and CSS transforms are not applied. Entities are not expanded. Throws Unreadable for what is
-/// not XML, and for an attribute that has an error, since what follows the error is unknown.
+/// Reads the curves that an SVG document draws, by [SVG 2]: paths and basic shapes with their transforms, `use`
+/// expanded. Only what is rendered: not what is in `defs`, `clipPath`, `mask`, `pattern`, `marker` or a `symbol` that
+/// is not used, and nothing with `display:none` in an attribute. Ids are `PATH:SUBPATH:SEGMENT`, counted from 0; PATH
+/// is the id of the element where it has one that is not in use before. Coordinates are those of the outermost `svg`,
+/// in px; `viewBox`, style sheets and CSS transforms are not applied. Entities are not expanded. Throws Unreadable for
+/// what is not XML, and for an attribute that has an error, since what follows the error is unknown.
 Read read_svg(std::string_view text, const std::string& name);
 
-/// Reads JSON, as Python and JavaScript print it: one curve, an array of points `[[x,y], ...]`, or several, an array of such arrays, at any depth. A curve can
-/// also be an object: `points`, and optionally `weights`, `form` and `id`. Ids are else the numbers of the curves from
-/// 0; a curve continues the path of the one before where CurveSet::continues_path() says so. Polynomial curves without
-/// `form` are in `form`. Throws Unreadable.
+/// Reads JSON, as Python and JavaScript print it: one curve, an array of points `[[x,y], ...]`, or several, an array of
+/// such arrays, at any depth. A curve can also be an object: `points`, and optionally `weights`, `form` and `id`. Ids
+/// are else the numbers of the curves from 0; a curve continues the path of the one before where
+/// CurveSet::continues_path() says so. Polynomial curves without `form` are in `form`. Throws Unreadable.
 Read read_json(std::string_view text, const std::string& name, Form form);
 
 /// The outlines of every glyph of a font (.ttf, .otf, .ttc, .woff, .woff2), in the order of the font, in font units;

@@ -18,15 +18,16 @@ bool is_innocent(const std::string& field) { return field.empty() || field == "0
 
 }  // namespace
 
-std::set<std::string, std::less<>> methods_without_promise(const CsvDocument& methods_csv) {
-  std::set<std::string, std::less<>> ids;
-  for (std::size_t row = 0; row < methods_csv.row_count(); ++row)
-    if (methods_csv.at(row, "bound").empty()) ids.insert(methods_csv.at(row, "id"));
-  return ids;
+MethodFacts method_facts(const CsvDocument& methods_csv) {
+  MethodFacts facts;
+  for (std::size_t row = 0; row < methods_csv.row_count(); ++row) {
+    if (!methods_csv.at(row, "bound").empty()) facts.promising.insert(methods_csv.at(row, "id"));
+    if (methods_csv.at(row, "citation") == external_citation) facts.external.insert(methods_csv.at(row, "id"));
+  }
+  return facts;
 }
 
-std::vector<std::string> row_faults(const std::string& file, const CsvDocument& table,
-                                    const std::set<std::string, std::less<>>& without_promise) {
+std::vector<std::string> row_faults(const std::string& file, const CsvDocument& table, const MethodFacts& methods) {
   const auto& declared = *declared_table(file);
   std::vector<std::string> faults;
   FewLines lines(table.file_name());
@@ -35,7 +36,11 @@ std::vector<std::string> row_faults(const std::string& file, const CsvDocument& 
     for (std::size_t row = 0; row < table.row_count(); ++row) {
       const auto& field = table.at(row, column.name);
       if (is_innocent(field)) continue;
-      if (column.is_of_promise && without_promise.contains(table.at(row, declared.method))) continue;
+      if (column.is_of_promise) {
+        const auto& method = table.at(row, declared.method);
+        if (!methods.promising.contains(method) && !(column.is_of_external && methods.external.contains(method)))
+          continue;
+      }
       const auto count = field == "no" ? std::string() : field + " ";
       lines.add(fmt::format("{}:{}: {}{}", table.file_name(), table.line(row), count, column.accuses));
     }

@@ -11,12 +11,18 @@
 
 namespace bezierbench::bundle {
 
-/// The methods for which methods.csv states neither a bound nor a promise. External methods are not in it.
-[[nodiscard]] std::set<std::string, std::less<>> methods_without_promise(const CsvDocument& methods_csv);
+/// The citation that methods.csv has for methods from outside of the program.
+inline constexpr std::string_view external_citation = "external method";
 
-/// The lines that tell which rows of the table `file` accuse a method, for example of broken promises. Columns that
-/// accuse only a broken promise say nothing against the methods `without_promise`.
+/// What methods.csv states of methods.
+struct MethodFacts {
+  std::set<std::string, std::less<>> promising;  ///< with a bound or a promise
+  std::set<std::string, std::less<>> external;
+};
+[[nodiscard]] MethodFacts method_facts(const CsvDocument& methods_csv);
+
+/// The lines that tell which rows of the table `file` accuse a method, for example of broken promises.
 [[nodiscard]] std::vector<std::string> row_faults(const std::string& file, const CsvDocument& table,
-                                                  const std::set<std::string, std::less<>>& without_promise);
+                                                  const MethodFacts& methods);
 
 }  // namespace bezierbench::bundle

@@ -111,12 +111,12 @@ class Verification {
 
   /// Looks at the rows of all tables: what they say, and whether their studies are those of the suites.
   void check_rows() {
-    std::set<std::string, std::less<>> without_promise;
+    MethodFacts facts;
     if (const auto methods = tables_.find(methods_name); methods != tables_.end())
-      or_finding(table_findings_, [&] { without_promise = methods_without_promise(methods->second); });
+      or_finding(table_findings_, [&] { facts = method_facts(methods->second); });
     for (const auto& [name, table] : tables_) {
       or_finding(table_findings_,
-                 [&, &name = name, &table = table] { append(table_findings_, row_faults(name, table, without_promise)); });
+                 [&, &name = name, &table = table] { append(table_findings_, row_faults(name, table, facts)); });
       if (expected_ && name != digests_name) check_studies(table);  // its rows repeat the studies of other tables
     }
   }

@@ -36,6 +36,12 @@ class Verify : public testing::Test {
 
   void put(const std::string& name, std::string_view bytes) { folder_.put("b/" + name, bytes); }
   void remove(const std::string& name) { fs::remove(bundle_.path() / name); }
+  /// Without methods.csv no row accuses a method that may promise nothing.
+  void add_promising_methods() {
+    bundle_.write("methods.csv",
+                  "id,problem,form,min_degree,max_degree,bound,bit_stable,flops,citation,guarantees\n"
+                  "direct,evaluation,bernstein,0,170,a bound,yes,,a source,\n");
+  }
   /// Changes the content of a file and its checksum with it.
   void change(const std::string& name, const std::string& from, const std::string& to) {
     bundle_.write(name, replaced(bundle_.read(name), from, to));
@@ -175,6 +181,7 @@ TEST_F(Verify, TableThatIsNotCsv) {
 }
 
 TEST_F(Verify, ManyRowsThatAccuseAreAFewLines) {
+  add_promising_methods();
   const auto table = bundle_.read("timing.csv");
   const auto row = replaced(table.substr(table.find('\n') + 1), ",ok,yes", ",ok,no");
   std::string many = table;
@@ -185,6 +192,7 @@ TEST_F(Verify, ManyRowsThatAccuseAreAFewLines) {
 }
 
 TEST_F(Verify, RowsThatAccuse) {
+  add_promising_methods();
   change("timing.csv", ",ok,yes", ",ok,no");
   EXPECT_THAT(findings(), ElementsAre(HasSubstr("timing.csv:2: what was timed did not give what was judged")));
   change("timing.csv", ",ok,no", ",ok,yes");

@@ -73,7 +73,8 @@ Column column_of(const std::string& name, const Json& part, bool of_deterministi
                 .is_number = holds_numbers(part),
                 .is_digested = false,
                 .accuses = declared.value("accuses", std::string()),
-                .is_of_promise = declared.value("of_promise", false)};
+                .is_of_promise = declared.value("of_promise", false),
+                .is_of_external = declared.value("of_external", false)};
   column.is_digested = of_deterministic && declared.value("digested", true);
   return column;
 }

@@ -15,7 +15,8 @@ struct Column {
   bool is_digested = false;  ///< part of the table's digests
   /// What a count above 0, or a `no`, says against a row, for `verify`; empty where it does not matter.
   std::string accuses = {};
-  bool is_of_promise = false;  ///< it says nothing against methods for which methods.csv states no bound
+  bool is_of_promise = false;   ///< only methods for which methods.csv states a bound or a promise
+  bool is_of_external = false;  ///< and external methods
 };
 
 struct DeclaredTable {

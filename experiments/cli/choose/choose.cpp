@@ -383,7 +383,8 @@ Exit choose_on_curves(Wish wish) {
 
 /// What --problem ranks. Throws Failure(usage) for a missing or unfit option.
 Exit choose_companion(const Wish& wish) {
-  if (wish.bundle.empty() || !wish.degree_text) throw Failure(Exit::usage, "--problem: must come with BUNDLE and --degree");
+  if (wish.bundle.empty() || !wish.degree_text)
+    throw Failure(Exit::usage, "--problem: must come with BUNDLE and --degree");
   return choose_companion(CompanionWish{wish.bundle, wish.problem, *wish.degree_text, wish.tolerance_text, wish.form,
                                         wish.scalar, std::to_string(wish.dimension), wish.study, wish.accuracy_study,
                                         wish.format});

@@ -10,6 +10,7 @@
 #include "build_facts.hpp"
 #include "core/evaluate/guarantee.hpp"
 #include "core/evaluate/kernel/kernel.hpp"
+#include "experiments/bundle/check/row_rules.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/peers/peers.hpp"
 #include "experiments/sample/draw.hpp"
@@ -103,7 +104,7 @@ std::string methods_csv(std::span<const suite::ExternalMethod> external) {
                          .min_degree = method.min_degree,
                          .max_degree = method.max_degree,
                          .flops = "not known",
-                         .citation = "external method"}));
+                         .citation = bundle::external_citation}));
   return tables.table(methods_name).text();
 }
 
