@@ -85,6 +85,7 @@ const ExactPoint& ExactCurve::with_complement(const CurveView<double>& curve, do
 }
 
 const ExactPoint& ExactCurve::derivative(const CurveView<double>& curve, int order, double t) {
+  if (curve.form == Form::rational) return quotient_derivative(curve, order, t, false);
   const auto derivative = load_derivative(curve, order);
   set_parameter(t, curve.form, false);
   sum(derivative);
@@ -92,10 +93,64 @@ const ExactPoint& ExactCurve::derivative(const CurveView<double>& curve, int ord
 }
 
 const ExactPoint& ExactCurve::derivative_p_tilde(const CurveView<double>& curve, int order, double t) {
+  if (curve.form == Form::rational) return quotient_derivative(curve, order, t, true);
   const auto derivative = load_derivative(curve, order);
   for (auto& coefficient : coefficients_) coefficient = ::abs(coefficient);
   set_parameter(t, curve.form, true);
   sum(derivative);
+  return point_;
+}
+
+const ExactPoint& ExactCurve::quotient_derivative(const CurveView<double>& curve, int order, double t,
+                                                  bool magnitudes) {
+  const auto d = static_cast<std::size_t>(curve.dimension);
+  const auto orders = static_cast<std::size_t>(order) + 1;
+  std::vector<mpz_class> a(orders * d);
+  std::vector<mpz_class> w(orders);
+  load(curve, magnitudes);
+  set_parameter(t, Form::rational, false);
+  if (magnitudes) {
+    sum_bernstein(curve.degree, weights_, std::span(w).first(1));  // the denominator keeps its signs
+    w[0] = ::abs(w[0]);
+    for (auto& weight : weights_) weight = ::abs(weight);
+    set_parameter(t, Form::rational, true);
+  }
+  const auto differentiate = [magnitudes](std::vector<mpz_class>& values, std::size_t step, int degree) {
+    for (std::size_t i = 0; i + step < values.size(); ++i)
+      values[i] =
+          (magnitudes ? mpz_class(values[i + step] + values[i]) : mpz_class(values[i + step] - values[i])) * degree;
+    values.resize(values.size() - step);
+  };
+  for (std::size_t k = 0; k < orders && k <= static_cast<std::size_t>(curve.degree); ++k) {
+    const int degree = curve.degree - static_cast<int>(k);
+    sum_bernstein(degree, coefficients_, std::span(a).subspan(k * d, d));
+    if (k > 0 || !magnitudes) sum_bernstein(degree, weights_, std::span(w).subspan(k, 1));
+    differentiate(coefficients_, d, degree);
+    differentiate(weights_, 1, degree);
+  }
+  for (std::size_t k = 1; k < orders; ++k) {  // a becomes N
+    for (std::size_t axis = 0; axis < d; ++axis) {
+      mpz_class sum;
+      mpz_class power = 1;  // W^(i-1)
+      for (std::size_t i = 1; i <= k; ++i) {
+        mpz_bin_uiui(weight_.get_mpz_t(), k, i);
+        weight_ *= w[i] * power;
+        mpz_addmul(sum.get_mpz_t(), weight_.get_mpz_t(), a[(k - i) * d + axis].get_mpz_t());
+        power *= w[0];
+      }
+      auto& numerator = a[k * d + axis];
+      numerator *= power;
+      if (magnitudes)
+        numerator += sum;
+      else
+        numerator -= sum;
+    }
+  }
+  point_.dimension = curve.dimension;
+  for (std::size_t axis = 0; axis < d; ++axis) point_.numerator[axis] = a[(orders - 1) * d + axis];
+  mpz_pow_ui(point_.denominator.get_mpz_t(), w[0].get_mpz_t(), orders);
+  point_.exponent = coefficient_exponent_ + static_cast<long>(t_shift_) * order;
+  make_denominator_positive();
   return point_;
 }
 
@@ -152,6 +207,10 @@ void ExactCurve::sum(const CurveView<double>& curve) {
 void ExactCurve::divide_by_weights(int n) {
   sum_bernstein(n, weights_, std::span(&point_.denominator, 1));
   point_.exponent = coefficient_exponent_;
+  make_denominator_positive();
+}
+
+void ExactCurve::make_denominator_positive() {
   if (point_.denominator >= 0) return;
   point_.denominator = -point_.denominator;
   for (auto& numerator : point_.numerator) numerator = -numerator;

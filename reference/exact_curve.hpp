@@ -11,7 +11,9 @@
 //   Bernstein form   n (n-1) ... (n-k+1) D^k B_i, D B_i = B_(i+1) - B_i
 //   power form       (j+k) (j+k-1) ... (j+1) Q_(j+k)
 // which needs no fractions, and holds for every finite t: tiny, huge or negative. Double-double coefficients are the
-// sums of their parts.
+// sums of their parts. With A^(k) and W^(k) for those of numerator and denominator, of degree n - k each, a rational
+// curve has C^(k) = N_k / W^(k+1), N_k = A^(k) W^k - sum_(i=1..k) C(k,i) W^(i) W^(i-1) N_(k-i), by induction from
+// A^(k) = sum C(k,i) W^(i) C^(k-i). Over 2^(e + shift k) all powers of two cancel.
 #pragma once
 
 #include <span>
@@ -38,10 +40,11 @@ class ExactCurve {
   /// the weights are summed with the same complement. Valid until the next call.
   const ExactPoint& with_complement(const CurveView<double>& curve, double t, double complement, bool normalised);
 
-  /// The derivative of this order >= 0 of a curve in Bernstein or power form. Valid until the next call.
+  /// The derivative of this order >= 0 of a curve in Bernstein, power or rational form. Valid until the next call.
   const ExactPoint& derivative(const CurveView<double>& curve, int order, double t);
 
-  /// p~ of that derivative, over its own coefficients in the form of `curve`. Valid until the next call.
+  /// p~ of that derivative, over its own coefficients in the form of `curve`; for a rational curve S_k of
+  /// core/bound/derivative_bound.hpp, likewise on each axis. Valid until the next call.
   const ExactPoint& derivative_p_tilde(const CurveView<double>& curve, int order, double t);
 
   /// The coefficients of that derivative in the form of `curve`, point by point, each rounded once (infinite where it
@@ -53,7 +56,10 @@ class ExactCurve {
   /// Loads the coefficients of the derivative; returns a curve of its form, dimension and degree, without coefficients.
   CurveView<double> load_derivative(const CurveView<double>& curve, int order);
   void sum(const CurveView<double>& curve);
+  /// C^(k) of a rational curve or, if `magnitudes`, S_k.
+  const ExactPoint& quotient_derivative(const CurveView<double>& curve, int order, double t, bool magnitudes);
   void divide_by_weights(int n);
+  void make_denominator_positive();
   void set_parameter(double t, Form form, bool magnitudes);
   void set_complement(double complement);
   void sum_bernstein(int n, const std::vector<mpz_class>& coefficients, std::span<mpz_class> sums);

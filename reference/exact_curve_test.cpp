@@ -113,6 +113,59 @@ TEST(ExactCurve, OfRationalCurvesHasNoPointWhereTheWeightsSumToZero) {
   EXPECT_TRUE(exact.point({Form::bernstein, 1, 1, c}, 0.25).exists());
 }
 
+/// 1 / (1 + t) is rational with the products w_i b_i = 1, 1. Its derivatives are (-1)^k k! / (1 + t)^(k+1).
+TEST(ExactCurve, DerivativesOfARationalCurveAreThoseOfAHyperbola) {
+  const std::vector<double> c{1, 0.5};
+  const std::vector<double> w{1, 2};
+  ExactCurve exact;
+  Rational factorial{1, 1, 0};
+  for (int k = 0; k <= 12; ++k) {
+    if (k > 0) factorial = factorial * Rational{-k, 1, 0};
+    for (const double t : {0.0, 0.375, 1.0, -7.5, 0x1p-40}) {
+      const Rational value = exact.derivative({Form::rational, 1, 1, c, w}, k, t).coordinate(0);
+      EXPECT_TRUE(same(value * power(Rational{1, 1, 0} + exactly(t), k + 1), factorial)) << "order " << k << " t " << t;
+    }
+  }
+  EXPECT_FALSE(exact.derivative({Form::rational, 1, 1, c, w}, 2, -1).exists());
+  // S_1 = (2 + W~' S_0) / W with S_0 = 1 / W and W~' = 1 + 2.
+  EXPECT_TRUE(
+      same(exact.derivative_p_tilde({Form::rational, 1, 1, c, w}, 1, 0.5).coordinate(0) * exactly(2.25), exactly(6)));
+}
+
+/// A^(k) = sum C(k,i) W^(i) C^(k-i), with A and W as polynomial curves. The numbers have few bits: products are exact.
+TEST(ExactCurve, DerivativesOfRationalCurvesSatisfyTheProductRule) {
+  std::mt19937_64 words(5);
+  const auto small = [&words] { return static_cast<double>(static_cast<std::int64_t>(words() % 2001) - 1000) / 64; };
+  ExactCurve exact;
+  for (int trial = 0; trial < 60; ++trial) {
+    const int n = 1 + trial % 6;
+    std::vector<double> c;
+    std::vector<double> w;
+    std::vector<double> products;
+    for (int i = 0; i <= n; ++i) {
+      c.push_back(small());
+      w.push_back(small());
+      products.push_back(c.back() * w.back());
+    }
+    const double t = small() / 16;
+    std::vector<Rational> derivatives;
+    for (int k = 0; k <= n + 2; ++k) {
+      const auto& derivative = exact.derivative({Form::rational, 1, n, c, w}, k, t);
+      ASSERT_TRUE(derivative.exists());
+      derivatives.push_back(derivative.coordinate(0));
+      Rational sum;
+      mpz_class binomial;
+      for (int i = 0; i <= k; ++i) {
+        mpz_bin_uiui(binomial.get_mpz_t(), static_cast<unsigned long>(k), static_cast<unsigned long>(i));
+        sum = sum + Rational{binomial, 1, 0} * exact.derivative({Form::bernstein, 1, n, w}, i, t).coordinate(0) *
+                        derivatives[static_cast<std::size_t>(k - i)];
+      }
+      EXPECT_TRUE(same(sum, exact.derivative({Form::bernstein, 1, n, products}, k, t).coordinate(0)))
+          << "degree " << n << " order " << k;
+    }
+  }
+}
+
 TEST(ExactCurve, KeepsAxesApart) {
   const std::vector<double> c{1, 10, 2, 20, 3, 50};
   ExactCurve exact;

@@ -327,6 +327,21 @@ TEST(C, ChordsLeadFromEndToEnd) {
   EXPECT_EQ(bb_flatten("hain", &curve, 1, nullptr, nullptr, 0, &ends, &complete), BB_ERROR_DEGREE);
 }
 
+/// The unit circle by t = tan(phi / 2): C' = 2 / (1 + t^2) (-sin phi, cos phi), here at t = 1/2.
+TEST(C, DerivativeOfARationalCurve) {
+  const std::array<double, 6> points{1, 0, 1, 1, 0, 1};
+  const std::array<double, 3> weights{1, 1, 2};
+  const bb_curve circle{BB_RATIONAL, 2, 2, points.data(), weights.data()};
+  for (const auto& method : methods("derivative")) {
+    if (method.form != BB_RATIONAL) continue;
+    std::array<double, 2> out{};
+    const double t = 0.5;
+    ASSERT_EQ(bb_derivative(method.id, &circle, 1, &t, 1, out.data()), BB_OK) << method.id;
+    EXPECT_NEAR(out[0], -1.6 * 0.8, 1e-15) << method.id;
+    EXPECT_NEAR(out[1], 1.6 * 0.6, 1e-15) << method.id;
+  }
+}
+
 TEST(C, DerivativesAndGridsAreThoseOfTheCurve) {
   for (const auto& method : methods("derivative")) {
     if (method.form != BB_BERNSTEIN || std::string(method.id) == "seed_000")
@@ -353,7 +368,7 @@ TEST(C, DerivativesAndGridsAreThoseOfTheCurve) {
   double out = 7;
   const double t = 0.5;
   EXPECT_EQ(bb_derivative("differences_horner", &parabola, -1, &t, 1, &out), BB_ERROR_PARAMETER);
-  EXPECT_EQ(bb_derivative("differences_horner", &rational, 1, &t, 1, &out), BB_ERROR_FORM);
+  EXPECT_EQ(bb_derivative("differences_de_casteljau", &rational, 1, &t, 1, &out), BB_ERROR_FORM);
   EXPECT_EQ(bb_derivative("de_casteljau", &parabola, 1, &t, 1, &out), BB_ERROR_METHOD);
   EXPECT_EQ(bb_grid("pointwise_de_casteljau", &parabola, 5, &out), BB_ERROR_COUNT);
   EXPECT_EQ(bb_grid("pointwise_de_casteljau", &parabola, 4, nullptr), BB_ERROR_NULL);

@@ -12,6 +12,8 @@ template <DerivativeMethod M>
 constexpr const DerivativeBound* bound_of() {
   if constexpr (requires { M::bound; })
     return &M::bound;
+  else if constexpr (requires { M::polynomial_bound; })
+    return M::info.promise.empty() ? nullptr : &M::polynomial_bound;
   else
     return nullptr;
 }

@@ -8,22 +8,28 @@
 #include "core/derivative/differences_de_casteljau.hpp"
 #include "core/derivative/differences_horner.hpp"
 #include "core/derivative/power_derivative.hpp"
+#include "core/derivative/rational_quotient.hpp"
 #include "core/derivative/seed_000.hpp"
 #include "core/derivative/triangle_derivatives.hpp"
 #include "core/derivative/wozny_chudy_derivatives.hpp"
 
 namespace bezierbench {
 
-using DerivativeMethods = TypeList<DifferencesDeCasteljau,            //
-                                   DifferencesHorner,                 //
-                                   CompensatedDifferences,            //
-                                   TriangleDerivatives,               //
-                                   WoznyChudyDerivatives,             //
-                                   AllOrders<DifferencesHorner>,      //
-                                   AllOrders<TriangleDerivatives>,    //
-                                   AllOrders<WoznyChudyDerivatives>,  //
-                                   PowerDerivative,                   //
-                                   CompensatedPowerDerivative,        //
+using DerivativeMethods = TypeList<DifferencesDeCasteljau,                          //
+                                   DifferencesHorner,                               //
+                                   CompensatedDifferences,                          //
+                                   TriangleDerivatives,                             //
+                                   WoznyChudyDerivatives,                           //
+                                   AllOrders<DifferencesHorner>,                    //
+                                   AllOrders<TriangleDerivatives>,                  //
+                                   AllOrders<WoznyChudyDerivatives>,                //
+                                   RationalQuotient<DifferencesHorner, false>,      //
+                                   RationalQuotient<TriangleDerivatives, false>,    //
+                                   RationalQuotient<WoznyChudyDerivatives, false>,  //
+                                   RationalQuotient<DifferencesHorner, true>,       //
+                                   RationalQuotient<TriangleDerivatives, true>,     //
+                                   PowerDerivative,                                 //
+                                   CompensatedPowerDerivative,                      //
                                    Seed000>;
 
 }  // namespace bezierbench

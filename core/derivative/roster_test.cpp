@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "core/derivative/kernel.hpp"
@@ -171,7 +172,8 @@ TEST(Derivative, CompensationKeepsAllDigits) {
   EXPECT_GT(lost_by_others, 500);
 }
 
-/// 1,000 curves of each kind, each at orders from 0 to beyond the degree, by every method with a bound.
+/// 1,000 curves of each kind, each at orders from 0 to beyond the degree, by every method with a bound. A third of the
+/// weights of rational curves have both signs.
 TEST(Derivative, KeepsItsBoundOnRandomAndNastyCurves) {
   Inputs inputs(10);
   reference::ExactCurve exact;
@@ -182,12 +184,17 @@ TEST(Derivative, KeepsItsBoundOnRandomAndNastyCurves) {
     const int d = 1 + trial % 3;
     const int n = static_cast<int>(inputs.unit() * (trial % 50 == 0 ? 70 : 12));
     const int order = static_cast<int>(inputs.unit() * (n + 2));
-    const Form form = trial % 4 == 0 ? Form::power : Form::bernstein;
+    const Form form = std::array{Form::power, Form::bernstein, Form::bernstein, Form::rational}[trial / 2 % 4];
     const auto c = nasty(trial % nasty_kinds, n, d, inputs);
     const double t = nasty_t(trial / nasty_kinds, inputs);
-    const CurveView<double> curve{form, d, n, c};
+    std::vector<double> weights;
+    for (int i = 0; i <= n && form == Form::rational; ++i)
+      weights.push_back((trial % 3 == 0 ? inputs.symmetric() : inputs.unit()) * std::ldexp(1, trial % 9));
+    const CurveView<double> curve{form, d, n, c, weights};
+    const auto& truth = exact.derivative(curve, order, t);
+    if (!truth.exists()) continue;
     scale.set(curve, order, t);
-    const reference::Distance distance(exact.derivative(curve, order, t));
+    const reference::Distance distance(truth);
     for (const auto& kernel : derivative_kernels(d)) {
       if (kernel.info->form != form || kernel.bound == nullptr) continue;
       const double bound = scale.bound(*kernel.bound, reference::double_arithmetic);
@@ -202,6 +209,44 @@ TEST(Derivative, KeepsItsBoundOnRandomAndNastyCurves) {
     }
   }
   EXPECT_GT(judged, 22000);  // all but those that overflow
+}
+
+/// A circle about (5, 0), t = tan(phi / 2): C' = 2 / (1 + t^2) (-sin phi, cos phi), here at tan = 3/4.
+TEST(Derivative, OfACircleIsItsTangent) {
+  const std::vector<double> points{6, 0, 6, 1, 5, 1};
+  const std::vector<double> weights{1, 1, 2};
+  const CurveView<double> circle{Form::rational, 2, 2, points, weights};
+  for (const auto& kernel : right_kernels(Form::rational, 2, 1)) {
+    const auto tangent = derivative(kernel, circle, 1, 0.75);
+    EXPECT_NEAR(tangent[0], -1.28 * 0.96, 1e-14) << kernel.info->id;
+    EXPECT_NEAR(tangent[1], 1.28 * 0.28, 1e-14) << kernel.info->id;
+    EXPECT_TRUE(std::isnan(derivative(kernel, circle, max_degree + 1, 0.75)[0]));
+  }
+}
+
+/// 1e6 times their size away from the origin A'' and W'' C cancel, by about 20 bits; about the nearer end they do not.
+TEST(Derivative, AboutTheNearerEndNothingIsLostFarFromTheOrigin) {
+  Inputs inputs(12);
+  reference::ExactCurve exact;
+  double largest_of_local = 0;
+  double largest_of_others = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const int n = 2 + trial % 4;
+    auto c = inputs.coefficients(n, 2);
+    for (double& value : c) value = 0x1p+20 + std::ldexp(std::floor(std::ldexp(value, 20)), -20);
+    std::vector<double> weights;
+    for (int i = 0; i <= n; ++i) weights.push_back(0.5 + inputs.unit());
+    const CurveView<double> curve{Form::rational, 2, n, c, weights};
+    const double t = inputs.unit();
+    const reference::Distance distance(exact.derivative(curve, 2, t));
+    for (const auto& kernel : right_kernels(Form::rational, 2, 2)) {
+      const double error = distance.to(derivative(kernel, curve, 2, t));
+      double& largest = kernel.info->id.starts_with("local:") ? largest_of_local : largest_of_others;
+      largest = std::max(largest, error);
+    }
+  }
+  EXPECT_LT(largest_of_local, 1e-11);
+  EXPECT_GT(largest_of_others, 1000 * largest_of_local);
 }
 
 }  // namespace

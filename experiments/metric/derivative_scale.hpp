@@ -15,10 +15,11 @@ namespace bezierbench::metric {
 /// Scales of the derivative of one order of one curve at one t. Reusable.
 class DerivativeScale {
  public:
-  /// Of a curve in Bernstein or power form. Must be called before anything else.
+  /// Of a curve in Bernstein, power or rational form. Must be called before anything else.
   void set(const CurveView<double>& curve, int order, double t);
 
-  /// p~ of the derivative, over its own coefficients; infinite where one of them overflows.
+  /// p~ of the derivative, over its own coefficients, or S_k of a rational curve; infinite where it overflows, and where
+  /// there is no derivative.
   [[nodiscard]] double p_tilde() const { return p_tilde_; }
 
   /// error / (u p~); where p~ is 0: 0 for error 0, else infinite.
@@ -28,16 +29,27 @@ class DerivativeScale {
   [[nodiscard]] double bound(const DerivativeBound& bound, const reference::Arithmetic& arithmetic) const;
 
  private:
-  /// (n)_k sum_j C(k,j) |b_(i+j)|, the coefficients of A.
-  [[nodiscard]] std::vector<double> magnitudes(const CurveView<double>& curve) const;
+  /// What A of one order sums.
+  struct Differences {
+    double sum = 0;      ///< A
+    double largest = 0;  ///< of its coefficients, or of those of the derivative where no differences are formed
+  };
+  /// A of a polynomial curve in Bernstein form; `norms` are the sizes of its control points.
+  Differences differences(const std::vector<double>& norms, int order);
+  /// The underflow term on one axis; infinite where a result may leave the range.
+  [[nodiscard]] double underflow(const DerivativeBound& bound, int order, double largest,
+                                 const reference::Arithmetic& arithmetic) const;
+  [[nodiscard]] double quotient_bound(const DerivativeBound& bound, const reference::Arithmetic& arithmetic) const;
 
   int dimension_ = 0;
   int degree_ = 0;
   int order_ = 0;
   double t_ = 0;
   double p_tilde_ = 0;
-  double differences_ = 0;  ///< A
-  double largest_ = 0;      ///< of the coefficients of A, or of the derivative where no differences are formed
+  Differences differences_;
+  std::vector<Differences> numerators_;    ///< of a rational curve, by order
+  std::vector<Differences> denominators_;  ///< likewise of its weights
+  double weight_ = 0;                      ///< |W|
   reference::ExactCurve exact_;
   reference::TrialScale scale_;
 };

@@ -76,6 +76,9 @@ std::string why_not(const MethodInfo& info, const CurveFile& curve);
 /// Throws Failure(usage) for a curve called `name` that no method takes. `any` is one of the problem's methods.
 [[noreturn]] void refuse_curve(const std::string& name, const CurveFile& curve, const MethodInfo& any);
 
+/// Throws Failure(usage) for the point of a rational curve called `name` at t where there is none.
+void require_point(const reference::ExactPoint& point, double t, const std::string& name);
+
 /// Throws Failure(usage) for a method `id` of the problem that does not exist or is not in this build.
 [[noreturn]] void unknown_method(const std::string& id, Problem problem);
 

@@ -61,6 +61,10 @@ void Derivative::prepare(bool /*whole_path*/) const {
 void Derivative::add_to_set(std::span<const CurveCase<DerivativeKernel>> cases, const std::string& id,
                             curves::CurveSet& set) const {
   const auto& curve = cases.front().curve;
+  if (curve.form == Form::rational)
+    throw Failure(Exit::usage, fmt::format("{}: the derivative of a rational curve is not one of its degree; leave out "
+                                           "--control-points and ask for values by --t",
+                                           cases.front().name));
   const auto coefficients = reference::ExactCurve().derivative_coefficients(curve.view(), order);
   if (std::ranges::any_of(coefficients, [](double value) { return !std::isfinite(value); }))
     throw Failure(Exit::input_output, fmt::format("{}: a coefficient of the derivative is beyond the largest double; "
@@ -72,7 +76,10 @@ void Derivative::add_to_set(std::span<const CurveCase<DerivativeKernel>> cases, 
 
 void Derivative::add_rows(const CurveCase<DerivativeKernel>& one, CurveTable& table) const {
   std::vector<DerivativeTarget> targets;
-  for (const double at : finite_options("--t", t)) targets.emplace_back(one.curve, order, at);
+  for (const double at : finite_options("--t", t)) {
+    targets.emplace_back(one.curve, order, at);
+    require_point(targets.back().truth, at, one.name);
+  }
   std::vector<double> point(static_cast<std::size_t>(one.curve.dimension));
   for (const auto* method : one.methods)
     for (const auto& target : targets) {

@@ -44,11 +44,7 @@ void Eval::add_rows(CurveCase<Kernel<double>> one, CurveTable& table) const {
   reference::ExactCurve exact;
   for (const double at : ts) {
     truths.push_back(exact.point(curve, at));
-    if (!truths.back().exists())
-      throw Failure(Exit::usage,
-                    fmt::format("--t {}: the weights of {} sum to zero there, so the curve has no point; see "
-                                "column w or choose another t",
-                                number::decimal(at), one.name));
+    require_point(truths.back(), at, one.name);
     p_tildes.push_back(exact.p_tilde(curve, at));
   }
   judge::PreparedStorage storage;

@@ -278,10 +278,13 @@ TEST(TimedProblem, RefusesWhatIsNotTimed) {
     study = good;
     study.scalar = {suite::ScalarKind::float32};
     refused(study);
-    study = good;
-    const bool splits = timed_kind(good).asks.problem == Problem::subdivision;
-    study.form = splits ? Form::power : Form::rational;
-    refused(study);
+    const auto& forms = timed_kind(good).asks.inputs.forms;
+    for (const Form form : suite::given_forms) {
+      if (std::ranges::find(forms, form) != forms.end()) continue;
+      study = good;
+      study.form = form;
+      refused(study);
+    }
     study = good;
     study.methods.emplace_back("de_casteljau");
     refused(study);

@@ -170,7 +170,8 @@ BB_API int bb_evaluate_curves_float(const char* method, const bb_batch* batch, c
 
 /* ---- Derivatives, points of a grid, chords, halves and boxes of a curve ---- */
 
-/* The derivative of `order` >= 0 in t at t[0] to t[count - 1], `dimension` values each, of a curve that is not rational. */
+/* The derivative of `order` >= 0 in t at t[0] to t[count - 1], `dimension` values each. Of a rational curve it is infinite
+ * or not a number where the weights sum to zero, and for orders above 1023. */
 BB_API int bb_derivative(const char* method, const bb_curve* curve, int order, const double* t, size_t count,
                          double* out);
 
