@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The timing of all companion problems: a race for each cell and case, whose trials are drawn once for all repetitions.
 // Methods solve them one after the other, from the control points on, preparation included (mode one_shot). Their
-// answers are first judged against the truth and later compared with the judged bits.
+// answers are first judged against the truth and later compared with the judged bits. Times are per answer.
 #pragma once
 
 #include <algorithm>
@@ -58,6 +58,15 @@ class CompanionTrials {
   double tolerance_;
   std::vector<typename P::Drawn> drawn_;
 };
+
+/// How many answers a call of `ask` gives: 1, unless the problem has a number.
+template <judge::TrialProblem P>
+consteval std::size_t answers_per_call() {
+  if constexpr (requires { P::answers_per_call; })
+    return P::answers_per_call;
+  else
+    return 1;
+}
 
 /// One method on the trials of a race, and the answers that it must reproduce bit for bit.
 template <judge::TrialProblem P>
@@ -122,8 +131,8 @@ JudgedRivals rivals_of_companion(const Race& race, const suite::Study& study, st
     const auto& kernel = *std::ranges::find(P::kernels(race.cell.dimension), info, &P::Kernel::info);
     const auto rival = std::make_shared<CompanionRival<P>>(*trials, kernel);
     all.judged.push_back({rival->is_right()});
-    all.rivals.push_back(
-        {std::string(info->id), trials->count(), [rival] { rival->run(); }, [rival] { return rival->check(); }});
+    all.rivals.push_back({std::string(info->id), trials->count() * answers_per_call<P>(), [rival] { rival->run(); },
+                          [rival] { return rival->check(); }});
   }
   return all;
 }

@@ -227,8 +227,8 @@ def units():
             f"{scientific(SMALL * math.sqrt(AXES) * ROUNDOFF['double'], 2)} times that coordinate. ulp: last digits of the exact value. "
             "Lengths: relative; nearest points: eps is 2^-52 times the largest coordinate. "
             "×: the time over that of the third column's method, side by side, as its 99 % interval; instructions: counted by Valgrind, the same on "
-            "every run; ns: about, on the bundle's machine. All are per prepared point, of lengths and nearest points for one answer from the "
-            "control points, of easing curves for 97 x. Methods in parentheses are as fast, as far as the intervals tell.")
+            "every run; ns: about, on the bundle's machine. All are per prepared point or, of the other problems, per answer from the "
+            "control points. Methods in parentheses are as fast, as far as the intervals tell.")
 
 
 def trials_on_sets(real):

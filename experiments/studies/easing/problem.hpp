@@ -85,6 +85,7 @@ class EasingProblem {
     double nearest = 0;  ///< to the true y at the drawn x
   };
 
+  static constexpr std::size_t answers_per_call = EasingTrial<double>::neighbours + 1 + EasingTrial<double>::parts;
   static constexpr std::array<judge::CaseColumn, 0> case_columns{};
   template <auto member>
   static constexpr std::array columns_of_scalar{

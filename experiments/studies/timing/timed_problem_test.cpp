@@ -141,6 +141,14 @@ TEST(TimedProblem, RivalsReproduceTheirResults) {
   }
 }
 
+TEST(TimedProblem, CountsTheAnswersOfACall) {
+  const auto per_call = [](const std::string& method, std::size_t calls) {
+    return rivals_of(study_of({method})).rivals.front().points_per_batch / calls;
+  };
+  EXPECT_EQ(per_call("easing_halley", 32), 97U) << "32 neighbours and k/64, k = 0..64";
+  EXPECT_EQ(per_call("quintic_isolate", 64), 1U);
+}
+
 TEST(TimedProblem, TellsRivalsWhoseResultsAreWrong) {
   EXPECT_THAT(right(lengths({"gauss_legendre_24", "gauss_legendre_adaptive"}, {1e-10})), ElementsAre(false, true));
   EXPECT_THAT(right(study_of({"quintic_isolate", "quintic_seed_002"})), ElementsAre(true, false));
