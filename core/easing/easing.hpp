@@ -4,6 +4,7 @@
 // on as a straight line, the same for all methods.
 #pragma once
 
+#include <cmath>
 #include <concepts>
 
 #include "core/method.hpp"
@@ -14,6 +15,12 @@ template <class Scalar>
 struct EasingCurve {
   Scalar x1, y1, x2, y2;
 };
+
+/// True for curves of which x(t) does not fall: x1 and x2 in [0, 1]; y1 and y2 are any finite numbers.
+template <class Scalar>
+bool is_easing(const EasingCurve<Scalar>& c) {
+  return c.x1 >= 0 && c.x1 <= 1 && c.x2 >= 0 && c.x2 <= 1 && std::isfinite(c.y1) && std::isfinite(c.y2);
+}
 
 /// The answer at one x.
 template <class Scalar>

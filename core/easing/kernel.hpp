@@ -2,7 +2,6 @@
 // The methods for easing behind function pointers.
 #pragma once
 
-#include <cmath>
 #include <span>
 
 #include "core/easing/easing.hpp"
@@ -25,12 +24,6 @@ struct EasingKernel {
       ease(curve, x, answers);
   }
 };
-
-/// True for curves of which x(t) does not fall: x1 and x2 in [0, 1]; y1 and y2 are any finite numbers.
-template <class Scalar>
-bool is_easing(const EasingCurve<Scalar>& c) {
-  return c.x1 >= 0 && c.x1 <= 1 && c.x2 >= 0 && c.x2 <= 1 && std::isfinite(c.y1) && std::isfinite(c.y2);
-}
 
 /// All methods, in roster order.
 std::span<const EasingKernel> easing_kernels();
