@@ -9,7 +9,7 @@ from ..findings.curves import GOAL as PROJECTION_GOAL
 from ..findings.splines import GOAL as SPLINE_GOAL
 from ..rows import distinct
 from ..tables import by_axis, one, over
-from ..wording import general, large, scientific, shortest
+from ..wording import general, large, listing, scientific, shortest
 from .parts import COMPANION_PEERS, chapter, figure, of_studies, of_suite, study_figure, tables_of, with_times
 
 
@@ -209,13 +209,23 @@ def _boxes(bundle, study):
         yield by_axis(own, "degree", study, f"Boxes{where} ({_trials(own)} curves per method)", "包围盒", lines, row_head="quantity")
 
 
+def _promised_boxes(bundle):
+    """What is proved of which methods, and how far outside their sides were."""
+    promises = {r["id"]: r["bound"] for r in bundle["methods.csv"].rows if r["problem"] == "bounds" and r["bound"]}
+    judged = [r for r in bundle["bounds.csv"].rows if r["status"] == "ok" and r["method"] in promises]
+    for promise in dict.fromkeys(promises[r["method"]] for r in judged):
+        rows = [r for r in judged if promises[r["method"]] == promise]
+        yield Text(f"Proved of {listing(f'`{method}`' for method in distinct(rows, 'method'))}: {promise}. The farthest side of "
+                   f"{large(sum(r['trials'] for r in rows))} boxes is {general(max(r['max_excess_ulp'] for r in rows))} ulp outside.")
+
+
 companion(
     "bounds", "Boxes",
     "Truth: the extrema of every axis by isolation of the roots of the derivative with integers. The tightest box of doubles has the largest "
     "double that no point is below and the smallest that none is above. A box is too small where a point of the curve is outside; the curve "
     "that is farthest outside stands in `bounds.csv` with all its bits. Excess is that of the sides that are not inside, in doubles and over "
-    "the size of the curve; next to 0 there are many doubles. `control_box`, `split_box` and `exact_box` are proved to contain the curve, "
-    "and `exact_box` to have at most 1 ulp of excess. `quadratic_formula_margin_box` is the rule of OpenJDK since 19.")
+    "the size of the curve; next to 0 there are many doubles. `quadratic_formula_margin_box` is the rule of OpenJDK since 19.",
+    more=_promised_boxes)
 
 
 @tables_of("bspline")
