@@ -6,6 +6,7 @@ Argument: libbezierbench.so.
 import importlib.machinery
 import importlib.util
 import os
+import random
 import sys
 import unittest
 from pathlib import Path
@@ -17,8 +18,10 @@ audit = importlib.util.module_from_spec(importlib.util.spec_from_loader("audit",
 sys.dont_write_bytecode = True
 loader.exec_module(audit)
 
+import numpy as np
 import questions
-from libraries import DISTANCE, ENDS, LENGTH, NEAREST, POINT, SPLIT, Library
+from bezierbench import ease
+from libraries import DISTANCE, ENDS, FOLDER, LENGTH, NEAREST, POINT, SPLIT, Child, Library
 
 
 def truth(problem, degree, items, wrong=0.0):
@@ -86,6 +89,32 @@ class Committed(unittest.TestCase):
         changed = {**self.rows[5], "off": "9999"}
         self.assertEqual(audit.with_others([changed], self.rows), [*self.rows[:5], changed, *self.rows[6:]])
         self.assertEqual(audit.with_others([], [{**self.rows[0], "version": "0"}]), [])
+
+
+class Live(unittest.TestCase):
+    """The package bezier-easing 2.1.0, where `scripts/check audit` has installed it, against easing_table_newton, our copy of it."""
+
+    def setUp(self):
+        if not (FOLDER / "npm/node_modules/bezier-easing-2.1.0").is_dir():
+            self.skipTest("bezier-easing 2.1.0 is not in build/audit/npm; scripts/check audit installs it")
+        child = Child(["node", FOLDER / "npm/bezier_easing.mjs", "bezier-easing-2.1.0", "require"])
+        self.addCleanup(child.close)
+        self.ask = child.ask
+
+    def test_has_the_same_bits(self):
+        draw = random.Random(1)
+        for bezier in [(1, 0, 0, 1), (0.25, 0.1, 0.25, 1), *([draw.random() for _ in range(4)] for _ in range(50))]:
+            x = [draw.random() for _ in range(400)]
+            answers = self.ask("easing", 3, [[0, 0, *bezier, 1, 1, one] for one in x])
+            self.assertEqual([y for y, in answers], ease(bezier, x, "easing_table_newton").tolist(), bezier)
+
+    def test_goes_back_at_the_same_steps(self):
+        corner = (1, 0, 0, 1)
+        (count, worst, before, after), = self.ask("monotone", 3, [[0, 0, *corner, 1, 1, questions.MONOTONE_STEPS, 0]])
+        y = ease(corner, np.arange(questions.MONOTONE_STEPS + 1) / questions.MONOTONE_STEPS, "easing_table_newton")
+        self.assertEqual((np.count_nonzero(np.diff(y) < 0), np.argmin(np.diff(y)) + 1), (count, worst))
+        self.assertEqual((y[worst - 1], y[worst]), (before, after))
+        self.assertEqual(count, 1190)
 
 
 if __name__ == "__main__":
