@@ -346,11 +346,12 @@ class Problems(unittest.TestCase):
         rounded = bezierbench.exact_ease(np.float32(curve), x).astype(np.float32)
         self.assertEqual(single.tolist(), rounded.tolist())
         self.assertEqual(float(bezierbench.ease(curve, -1.0)), -0.4)
+        self.assertEqual(float(bezierbench.exact_ease((0.5, 1, 0.5, 0), 2)), 3)
         for arguments in (((2, 0, 0, 1), 0.5), ((0, 0, 0, np.inf), 0.5), ((0, 0, 1), 0.5), (curve, np.nan)):
             with self.assertRaises(ValueError):
                 bezierbench.ease(*arguments)
         with self.assertRaises(ValueError):
-            bezierbench.exact_ease(curve, 2)
+            bezierbench.exact_ease(curve, np.inf)
 
     def test_every_listed_method_is_there(self):
         problems = {method.problem for method in bezierbench.methods()}

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <tuple>
 #include <vector>
 
 namespace bezierbench::reference {
@@ -33,6 +34,17 @@ IntegerPolynomial easing_cubic(double p1, double p2, const Rational& value, long
                                 3 * (scaled_integer(p2, exponent) - less), scaled_integer(1, exponent) - less});
 }
 
+/// The slope of the line beyond an end that is the origin: through the nearer inner point or, where that is the end, the
+/// other one; 0 where it is vertical, 1 where both are the end.
+Rational slope_beyond(const Rational& near_x, const Rational& near_y, const Rational& far_x, const Rational& far_y) {
+  const auto is_end = [](const Rational& x, const Rational& y) { return x.numerator == 0 && y.numerator == 0; };
+  if (is_end(near_x, near_y) && is_end(far_x, far_y)) return exactly(1);
+  const auto& [x, y] = is_end(near_x, near_y) ? std::tie(far_x, far_y) : std::tie(near_x, near_y);
+  if (x.numerator == 0) return {};
+  const int sign = sgn(x.numerator);
+  return {sign * y.numerator * x.denominator, sign * x.numerator * y.denominator, y.exponent - x.exponent};
+}
+
 Rational middle_of(double a, double b) {
   auto sum = exactly(a) + exactly(b);
   --sum.exponent;
@@ -41,10 +53,18 @@ Rational middle_of(double a, double b) {
 
 }  // namespace
 
-ExactEased::ExactEased(double x1, double y1, double x2, double y2, double x)
-    : x_(easing_cubic(x1, x2, exactly(x), lowest_exponent_of({x1, x2, x}))),
-      simple_(square_free(x_)),
-      exponent_(lowest_exponent_of({y1, y2})) {
+ExactEased::ExactEased(double x1, double y1, double x2, double y2, double x) : exponent_(lowest_exponent_of({y1, y2})) {
+  if (x < 0 || x > 1) {
+    const auto end = exactly(x < 0 ? 0 : 1);
+    const auto from_end = [&](double value) { return exactly(value) - end; };
+    const Rational slope = x < 0 ? slope_beyond(from_end(x1), from_end(y1), from_end(x2), from_end(y2))
+                                 : slope_beyond(from_end(x2), from_end(y2), from_end(x1), from_end(y1));
+    root_.t.k = end.numerator == 0 ? 0 : 1;
+    set(slope * from_end(x) + end);
+    return;
+  }
+  x_ = easing_cubic(x1, x2, exactly(x), lowest_exponent_of({x1, x2, x}));
+  simple_ = square_free(x_);
   y_ = easing_cubic(y1, y2, {}, exponent_);
   const mpz_class first = scaled_integer(y1, exponent_);
   const mpz_class second = scaled_integer(y2, exponent_);

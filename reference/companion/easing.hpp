@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The true y of an easing curve at x: numbers are dyadic, so x(t) - x and y(t) have integer coefficients over a power
-// of two. The root in [0, 1] is enclosed with integers, and y narrowed until every question is decided.
+// of two. The root in [0, 1] is enclosed with integers, and y narrowed until every question is decided. Beyond the ends y
+// is on the line that continues the curve.
 #pragma once
 
 #include "reference/companion/integer_polynomial.hpp"
@@ -8,7 +9,8 @@
 
 namespace bezierbench::reference {
 
-/// y at one x in [0, 1] of the curve (0,0) (x1,y1) (x2,y2) (1,1), with x1 and x2 in [0, 1] and y1, y2 finite.
+/// y at one x of the curve (0,0) (x1,y1) (x2,y2) (1,1), with x1 and x2 in [0, 1] and y1, y2 finite. Source for x
+/// outside [0, 1]: [CSS Easing 2023], section 2.3, with csswg-drafts#4046.
 class ExactEased {
  public:
   /// Throws std::domain_error for a number that is not finite.
@@ -20,7 +22,7 @@ class ExactEased {
   [[nodiscard]] double error(double value);
   /// |value - y| over the distance of numbers of the format at y.
   [[nodiscard]] double error_ulp(double value, const Format& format);
-  /// t, as a number nearest to the root.
+  /// t, as a number nearest to the root; the nearer end for x outside [0, 1].
   [[nodiscard]] double t() const;
 
  private:

@@ -24,6 +24,21 @@ TEST(ExactEased, KnownAnswers) {
   EXPECT_EQ(ExactEased(0, 0, 0, 0, 0x1p-1074).nearest(binary64), 0x1p-1074);
 }
 
+/// The lines of css-easing-2: through the nearer inner point, the other one or the other end; flat where vertical.
+TEST(ExactEased, GoesOnAsALine) {
+  EXPECT_EQ(ExactEased(0.5, 1, 0.5, 0, -1).nearest(binary64), -2);
+  EXPECT_EQ(ExactEased(0.5, 1, 0.5, 0, 2).nearest(binary64), 3);
+  EXPECT_EQ(ExactEased(0, 0, 0.25, 0.5, -1).nearest(binary64), -2);
+  EXPECT_EQ(ExactEased(0.5, 0.25, 1, 1, 2).nearest(binary64), 2.5);
+  EXPECT_EQ(ExactEased(0, 0, 0, 0, -3).nearest(binary64), -3);
+  EXPECT_EQ(ExactEased(1, 1, 1, 1, 2).nearest(binary64), 2);
+  EXPECT_EQ(ExactEased(0, 1, 0.5, 0.5, -1).nearest(binary64), 0);
+  EXPECT_EQ(ExactEased(1, 0.5, 1, 1, 2).nearest(binary64), 1);
+  EXPECT_EQ(ExactEased(0.75, 1, 0.5, 0, -1).nearest(binary32), -4.0F / 3);
+  EXPECT_EQ(ExactEased(0.5, 1, 0.5, 0, -1).error(-2.5), 0.5);
+  EXPECT_EQ(ExactEased(0.5, 1, 0.5, 0, 2).t(), 1);
+}
+
 TEST(ExactEased, RoundsTiesToEven) {
   EXPECT_EQ(ExactEased(0, 1, 0, 4 * u, 0.125).nearest(binary64), 0.5 + 2 * u);   // 1/2 + 3 u / 2
   EXPECT_EQ(ExactEased(0, 1, 0, 12 * u, 0.125).nearest(binary64), 0.5 + 4 * u);  // 1/2 + 9 u / 2

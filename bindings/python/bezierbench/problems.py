@@ -139,7 +139,7 @@ def ease(bezier: ArrayLike, x: ArrayLike, method: str = "easing_correctly_rounde
 
 
 def exact_ease(bezier: ArrayLike, x: ArrayLike) -> Array:
-    """The true y at each x in [0,1], rounded once."""
+    """The true y at each x, rounded once."""
     curve, at, y = _easing(bezier, x, np.float64)
     check(library.bb_exact_ease(address(curve), address(at), at.size, address(y)))
     return y

@@ -29,10 +29,13 @@ void fill_trial(const EasingCurve<double>& curve, double t, std::uint64_t number
     trial.x.push_back(std::bit_cast<Scalar>(static_cast<Bits>(first + static_cast<Bits>(k))));
   for (std::size_t k = 0; k <= parts; ++k) trial.x.push_back(static_cast<Scalar>(k) / static_cast<Scalar>(parts));
   trial.on_grid = neighbours + 1 + static_cast<std::size_t>(number % (parts - 1));
+  trial.outside = {-trial.x.front() - Scalar(0.5), trial.x.front() + Scalar(1.5)};
   trial.truth.clear();
+  trial.truth_outside.clear();
   if (!std::isfinite(trial.curve.y1) || !std::isfinite(trial.curve.y2)) return;  // beyond the largest float
-  for (const std::size_t k : {std::size_t{0}, trial.on_grid})
-    trial.truth.emplace_back(trial.curve.x1, trial.curve.y1, trial.curve.x2, trial.curve.y2, trial.x[k]);
+  const auto& [x1, y1, x2, y2] = trial.curve;
+  for (const std::size_t k : {std::size_t{0}, trial.on_grid}) trial.truth.emplace_back(x1, y1, x2, y2, trial.x[k]);
+  for (const Scalar x : trial.outside) trial.truth_outside.emplace_back(x1, y1, x2, y2, x);
 }
 
 template <class Scalar>
@@ -40,19 +43,25 @@ bool rises(const EasingCurve<Scalar>& curve) {
   return curve.y1 >= 0 && curve.y1 <= 1 && curve.y2 >= 0 && curve.y2 <= 1;
 }
 
-/// Whether y at -1/2 - x and 3/2 + x is on the lines that continue the curve, up to three roundings.
+/// Whether y outside [0, 1] is on the lines that continue the curve, up to the roundings of two differences, their
+/// quotient, the product with x or x - 1, which is exact here, and the sum.
 template <class Scalar>
-bool is_on_lines(const EasingKernel& method, const EasingCurve<Scalar>& curve, Scalar x) {
-  const std::array outside{-x - Scalar(0.5), x + Scalar(1.5)};
-  std::array<Eased<Scalar>, 2> eased;
-  method(curve, std::span<const Scalar>(outside), eased.data());
-  const EndSlopes<double> slopes({curve.x1, curve.y1, curve.x2, curve.y2});
-  const double before = slopes.start * double{outside[0]};
-  const double step = slopes.end * (double{outside[1]} - 1);
+bool is_on_lines(const EasingKernel& method, EasingTrial<Scalar>& trial) {
+  constexpr auto format = judge::ScalarFacts<Scalar>::format;
   constexpr double u = judge::ScalarFacts<Scalar>::arithmetic.unit_roundoff;
-  const double least = judge::ScalarFacts<Scalar>::format.precision == 24 ? 0x1p-149 : 0x1p-1074;
-  return std::abs(double{eased[0].y} - before) <= 4 * u * std::abs(before) + least &&
-         std::abs(double{eased[1].y} - (1 + step)) <= 4 * u * (1 + std::abs(step)) + least;
+  std::array<Eased<Scalar>, 2> eased;
+  method(trial.curve, std::span<const Scalar>(trial.outside), eased.data());
+  for (std::size_t k = 0; k < eased.size(); ++k) {
+    if (!std::isfinite(eased[k].y)) return false;
+    auto& truth = trial.truth_outside[k];
+    const double y = truth.nearest(format);
+    const double step = std::abs(y - static_cast<double>(k));  // from the end of the curve
+    constexpr double higher_orders = 1 + 0x1p-20;
+    const double allowed =
+        (4 * u * step + u * std::abs(y)) * higher_orders + std::ldexp(2, static_cast<int>(format.lowest_exponent));
+    if (truth.error(eased[k].y) > allowed) return false;
+  }
+  return true;
 }
 
 template <class Scalar>
@@ -82,7 +91,7 @@ void judge_scalar(const EasingKernel& method, EasingTrial<Scalar>& trial, std::s
   if (!is_monotone) errors.non_monotone.add(number);
   const bool has_ends = eased[neighbours].y == 0 && eased.back().y == 1;
   if (!has_ends) errors.wrong_ends.add(number);
-  if (!is_on_lines(method, trial.curve, trial.x.front())) errors.wrong_outside.add(number);
+  if (!is_on_lines(method, trial)) errors.wrong_outside.add(number);
   int most = 0;
   bool converged = true;
   for (const auto& one : eased) {

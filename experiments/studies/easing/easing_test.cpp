@@ -96,6 +96,26 @@ TEST(EasingStudy, AMisroundedAnswerBreaksThePromise) {
   EXPECT_EQ(broken(), 1U);
 }
 
+/// A method that stays at the ends, as if x were clamped to [0, 1].
+TEST(EasingStudy, AMethodThatLeavesTheLinesIsCounted) {
+  const EasingProblem problem(small_easing_study(), 1, {sample::cells(small_easing_study()).front(), {}});
+  EasingProblem::Drawn drawn;
+  problem.draw(0, drawn);
+  auto kernel = EasingProblem::kernels(2).front();
+  EasingAnswer answer;
+  EasingProblem::ask(kernel, drawn, 0, answer);
+  const auto wrong = [&] {
+    EasingErrors errors;
+    EasingProblem::judge(kernel, drawn, 0, answer, 7, errors);
+    return std::pair(errors.in_double.wrong_outside.count, errors.in_float.wrong_outside.count);
+  };
+  EXPECT_EQ(wrong(), (std::pair<std::uint64_t, std::uint64_t>(0, 0)));
+  kernel.ease = [](const EasingCurve<double>& /*curve*/, std::span<const double> x, Eased<double>* answers) {
+    for (const double one : x) *answers++ = {0, one < 0 ? 0.0 : 1.0};
+  };
+  EXPECT_EQ(wrong(), (std::pair<std::uint64_t, std::uint64_t>(1, 0)));
+}
+
 TEST(EasingStudy, RefusesWhatIsNoEasingCurve) {
   auto study = small_easing_study();
   study.form = Form::power;

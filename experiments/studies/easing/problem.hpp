@@ -28,7 +28,7 @@ struct EasedErrors {
   std::uint64_t misrounded = 0;      ///< judged x
   metric::TrialCount non_monotone;   ///< trials, of curves that do not fall, in which y falls between two x in order
   metric::TrialCount wrong_ends;     ///< trials in which y(0) is not 0 or y(1) is not 1
-  metric::TrialCount wrong_outside;  ///< trials in which y outside [0, 1] is not on the line
+  metric::TrialCount wrong_outside;  ///< trials in which y outside [0, 1] is not on the line, up to its roundings
   metric::Total steps;               ///< of each trial, the most of an x
   std::uint64_t not_converged = 0;   ///< trials with a loop that was ended
   std::uint64_t non_finite = 0;      ///< trials with a number that is not finite
@@ -61,6 +61,8 @@ struct EasingTrial {
   std::vector<Scalar> x;
   std::size_t on_grid = 0;  ///< place of the second judged x; the first is at 0
   std::vector<reference::ExactEased> truth;
+  std::array<Scalar, 2> outside;  ///< an x before 0 and one after 1
+  std::vector<reference::ExactEased> truth_outside;
 };
 
 struct EasingAnswer {

@@ -292,7 +292,7 @@ BB_API int bb_project_error(const bb_curve* curve, const double* point, double t
 BB_API int bb_ease(const char* method, const double* bezier, const double* x, size_t count, double* y);
 BB_API int bb_ease_float(const char* method, const float* bezier, const float* x, size_t count, float* y);
 
-/* The true y, rounded once, for x in [0,1]. */
+/* The true y, rounded once. */
 BB_API int bb_exact_ease(const double* bezier, const double* x, size_t count, double* y);
 
 /* ---- Piecewise cubics near points ---- */
