@@ -70,8 +70,8 @@ struct EndSlopes {
   }
 };
 
-/// The answer at any x that is not NaN. Outside [0, 1] it has the roundings of two differences, their quotient, a product
-/// and a sum: 4 u of the step from the end, and u |y|.
+/// The answer at any x that is not NaN. Outside [0, 1] it has the roundings of two differences, their quotient, a
+/// product and a sum: 4 u of the step from the end, and u |y|.
 template <EasingMethod M, class Scalar, class Prepared>
 Eased<Scalar> ease(const Prepared& prepared, const EndSlopes<Scalar>& slopes, Scalar x) {
   if (x < 0) return {0, slopes.start * x};

@@ -31,7 +31,8 @@ struct TrialPart {
 /// of a method, and is what is timed; `tolerance` is 0 for a problem without one. `numbers` are the spans of doubles of
 /// an answer: the answers of a timed run must have the bits of those that were judged. `timed_trials` is the number of
 /// trials in a batch of the race. A problem of which one call gives several answers has their number as
-/// `answers_per_call`; times are then per answer. The kind of study (suite/kind.hpp) says which inputs the problem takes.
+/// `answers_per_call`; times are then per answer. The kind of study (suite/kind.hpp) says which inputs the problem
+/// takes.
 template <class P>
 concept TrialProblem = std::constructible_from<P, const suite::Study&, std::uint64_t, const TrialPart&> &&
     std::default_initializable<typename P::Drawn> && std::copyable<typename P::Answer> &&

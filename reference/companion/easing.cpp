@@ -34,8 +34,8 @@ IntegerPolynomial easing_cubic(double p1, double p2, const Rational& value, long
                                 3 * (scaled_integer(p2, exponent) - less), scaled_integer(1, exponent) - less});
 }
 
-/// The slope of the line beyond an end that is the origin: through the nearer inner point or, where that is the end, the
-/// other one; 0 where it is vertical, 1 where both are the end.
+/// The slope of the line beyond an end that is the origin: through the nearer inner point or, where that is the end,
+/// the other one; 0 where it is vertical, 1 where both are the end.
 Rational slope_beyond(const Rational& near_x, const Rational& near_y, const Rational& far_x, const Rational& far_y) {
   const auto is_end = [](const Rational& x, const Rational& y) { return x.numerator == 0 && y.numerator == 0; };
   if (is_end(near_x, near_y) && is_end(far_x, far_y)) return exactly(1);

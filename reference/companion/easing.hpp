@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The true y of an easing curve at x: numbers are dyadic, so x(t) - x and y(t) have integer coefficients over a power
-// of two. The root in [0, 1] is enclosed with integers, and y narrowed until every question is decided. Beyond the ends y
-// is on the line that continues the curve.
+// of two. The root in [0, 1] is enclosed with integers, and y narrowed until every question is decided. Beyond the ends
+// y is on the line that continues the curve.
 #pragma once
 
 #include "reference/companion/integer_polynomial.hpp"
