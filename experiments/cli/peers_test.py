@@ -20,10 +20,6 @@ class Peers(Case):
         self.peers = [r["id"] for r in rows(self.fine("list", "methods", "--format", "csv")) if is_peer(r["id"])
                       and r["problem"] == "evaluation"]
 
-    def table(self, path):
-        path = self.folder / path
-        return rows(path.read_text()) if path.exists() else []
-
     def test_the_suite_is_listed_in_every_build(self):
         self.assertIn("peers", [r["id"] for r in rows(self.fine("list", "suites", "--format", "csv"))])
         self.assertIn("companion_peers", [r["id"] for r in rows(self.fine("list", "suites", "--format", "csv"))])

@@ -1,22 +1,27 @@
 # SPDX-License-Identifier: MIT
 """What tests that run the program have and expect. The program is $BEZIERBENCH or the first argument."""
+import contextlib
 import csv
 import hashlib
 import io
 import json
 import os
-import pathlib
+import re
+import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
+from pathlib import Path
 
 PROGRAM = os.path.abspath(os.environ.get("BEZIERBENCH") or sys.argv.pop(1))
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[2]
 REPORT_SUITE = ROOT / "experiments/suites/report.toml"
 
 FINE, FINDING, USAGE, ENVIRONMENT, INPUT_OUTPUT, INTERRUPTED = 0, 1, 2, 3, 4, 130
-CODE = pathlib.Path(PROGRAM).read_bytes()
+CODE = Path(PROGRAM).read_bytes()
 # The thread sanitizer writes a file of its own before main.
 HAS_THREAD_SANITIZER = b"libtsan" in CODE
 PATIENCE = 600  # seconds for a program to do what it should, on a busy machine, under a sanitizer: longer is a hang
@@ -37,6 +42,13 @@ CONVERSION = {"id": '"c"', "kind": '"conversion"', "curve": '"bernstein"', "degr
               "coordinate_range": "[1]", "trials": "5", "replicates": "4",
               "methods": '["factorial+forward_substitution"]'}
 TIMING = {"id": '"t"', "kind": '"timing"', "curve": '"bernstein"', "degree": "[3]", "coordinate_range": "[1]"}
+NOISY = ("machine.json", "SHA256SUMS")  # the load of the machine is in the former
+# Several blocks per replicate, several replicates per cell, cells in two scalar types, and every kind of study.
+ACCURACY = {**STUDY, "degree": "[3, 9]", "trials": "2200", "replicates": "2", "decomposed_trials": "20",
+            "scalar": '["double", "float"]', "baseline": '["exact", "direct"]',
+            "methods": '["direct", "de_casteljau", "direct_pow"]'}
+SEARCH = {"id": '"s"', "kind": '"search"', "curve": '"bernstein"', "degree": "[3, 5]", "coordinate_range": "[1]",
+          "trials": "300", "budget": "300", "methods": '["direct", "de_casteljau"]'}
 
 
 def lines_of(*studies, **changes):
@@ -57,7 +69,7 @@ class Case(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="bezierbench-cli-")
         self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        self.folder = Path(folder.name)
 
     # What a test needs to have, and to do.
 
@@ -89,6 +101,26 @@ class Case(unittest.TestCase):
         names = sorted(path.name for path in folder.iterdir() if path.is_file() and path.name != "SHA256SUMS")
         (folder / "SHA256SUMS").write_text(
             "".join(f"{hashlib.sha256((folder / name).read_bytes()).hexdigest()}  {name}\n" for name in names))
+
+    def table(self, path):
+        """The rows of a table; none where there is no such file."""
+        path = self.folder / path
+        return rows(path.read_text(encoding="utf-8")) if path.exists() else []
+
+    def write_rows(self, path, table):
+        with open(self.folder / path, "w", newline="", encoding="utf-8") as text:
+            writer = csv.DictWriter(text, table[0].keys(), lineterminator="\n")
+            writer.writeheader()
+            writer.writerows(table)
+
+    def write_table(self, path, table):
+        """Writes a table of a bundle, and its checksum."""
+        self.write_rows(path, table)
+        self.list_anew(Path(path).parent)
+
+    def edit(self, path, change):
+        """Applies `change` to every row of a table of a bundle; rows for which it returns False are left out."""
+        self.write_table(path, [row for row in self.table(path) if change(row) is not False])
 
     def manifest(self, bundle):
         return json.loads((self.folder / bundle / "bundle.json").read_text())
@@ -154,3 +186,76 @@ class Case(unittest.TestCase):
     def assert_not_complete(self, name):
         if (self.folder / name / "bundle.json").exists():
             self.assertEqual(self.manifest(name)["state"], "partial")
+
+
+class ResumeCase(Case):
+    """What the tests of runs that are stopped, shared out or disturbed have in common."""
+
+    def results(self, bundle):
+        """Everything that does not depend on the time: name and bytes."""
+        return {path.name: path.read_bytes() for path in (self.folder / bundle).iterdir()
+                if path.suffix in (".csv", ".json", ".toml") and path.name not in NOISY and "timing" not in path.name}
+
+    def block_files(self, bundle):
+        try:
+            names = os.listdir(self.folder / bundle / "blocks")
+        except FileNotFoundError:  # not yet, or no more
+            return []
+        return [self.folder / bundle / "blocks" / name for name in sorted(names) if name.endswith(".blocks")]
+
+    def change(self, bundle, name, content):
+        """Another content of a file, with its checksum."""
+        path, sums = self.folder / bundle / name, self.folder / bundle / "SHA256SUMS"
+        self.assertNotEqual(path.read_text(), content)
+        path.write_text(content)
+        line = f"{hashlib.sha256(content.encode()).hexdigest()}  {name}"
+        sums.write_text(re.sub(rf"^\w+  {re.escape(name)}$", line, sums.read_text(), flags=re.MULTILINE))
+
+    def pretend_another_machine(self, bundle):
+        text = (self.folder / bundle / "machine.json").read_text()
+        self.change(bundle, "machine.json", re.sub(r'"model_name": "[^"]*"', '"model_name": "Other"', text))
+
+    def stop(self, seconds, which, *arguments):
+        """Sends a signal after so many seconds; the result."""
+        with subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE) as process:
+            try:
+                out, err = process.communicate(timeout=seconds)
+            except subprocess.TimeoutExpired:
+                process.send_signal(which)
+                out, err = process.communicate(timeout=PATIENCE)
+        return subprocess.CompletedProcess(arguments, process.returncode, out, err)
+
+    def start_and_stop(self, name, *arguments, which=signal.SIGKILL):
+        """A run that was stopped when some of its blocks were done, but not all."""
+        for _ in range(20):
+            code = self.stop_when(lambda: self.block_files(name), which, "run", *arguments, "--quiet", "--checkpoint", 0,
+                                  "--out", name)
+            if code != FINE:
+                break
+            shutil.rmtree(self.folder / name)  # it was faster
+        self.assertEqual(code, -which if which == signal.SIGKILL else INTERRUPTED)
+        self.assertTrue(self.block_files(name))
+        self.assert_not_complete(name)
+
+    def stop_when(self, true, which, *arguments):
+        with subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder, stderr=subprocess.PIPE) as process:
+            deadline = time.monotonic() + PATIENCE
+            while not true() and process.poll() is None and time.monotonic() < deadline:
+                time.sleep(0.002)
+            process.send_signal(which)
+            process.communicate(timeout=PATIENCE)
+        return process.returncode
+
+    @contextlib.contextmanager
+    def at_work(self, name, *arguments):
+        """A run without an end that has kept blocks in the bundle."""
+        with subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stderr=subprocess.PIPE) as process:
+            try:
+                deadline = time.monotonic() + PATIENCE
+                while not self.block_files(name) and time.monotonic() < deadline:
+                    time.sleep(0.01)
+                yield
+            finally:
+                process.kill()
+                process.communicate()

@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """`compare` from outside: what it finds, in which order, and what it refuses. Usage: compare_test.py BEZIERBENCH"""
-import csv
 import json
 import re
 import shutil
@@ -35,35 +34,28 @@ class Compare(Case):
         shutil.copytree(BASELINE, self.folder / "a")
         shutil.copytree(BASELINE, self.folder / "b")
 
-    def edit(self, file, change, bundle="b"):
-        """Applies `change` to every row of a CSV file of a bundle."""
-        path = self.folder / bundle / file
-        with open(path, newline="", encoding="utf-8") as text:
-            table = list(csv.DictReader(text))
-        for row in table:
-            change(row)
-        with open(path, "w", newline="", encoding="utf-8") as text:
-            writer = csv.DictWriter(text, table[0].keys(), lineterminator="\n")
-            writer.writeheader()
-            writer.writerows(table)
-        self.list_anew(bundle)
-        return table
-
     def scale_times(self, factor, only=None):
         """As if the machine were slower or, in units of its sentinel too, some methods only."""
         def change(row):
             if only is None or only(row):
                 row.update({column: repr(float(row[column]) * factor) for column in (TIMES if only is None else TIMES + UNITS)})
-        self.edit("timing.csv", change)
+        self.edit("b/timing.csv", change)
 
     def still_times(self, bundle):
         """As if nothing had varied, so that what the committed times were taken beside decides nothing."""
         def change(row):
             for median, *limits in (TIMES, UNITS):
                 row.update({limit: row[median] for limit in limits})
-        self.edit("timing.csv", change, bundle)
+        self.edit(f"{bundle}/timing.csv", change)
 
-    def table(self, *arguments, code=FINE):
+    def change_machine(self, change):
+        path = self.folder / "b/machine.json"
+        machine = json.loads(path.read_text())
+        change(machine)
+        path.write_text(json.dumps(machine))
+        self.list_anew("b")
+
+    def compared(self, *arguments, code=FINE):
         result = self.run_program("compare", *arguments, "--format", "csv")
         self.assertEqual(result.returncode, code, result.stderr)
         return rows(result.stdout.decode())
@@ -75,24 +67,19 @@ class Compare(Case):
         self.assertIn("no recorded difference", text)
         self.assertIn("\naccuracy identical in ", text)
         self.assertIn("ranks: none changed, among the methods of a race that both bundles have", text)
-        table = self.table("a", "b")
+        table = self.compared("a", "b")
         self.assertEqual(list(table[0])[:len(CONTRACT)], CONTRACT)
         self.assertEqual({row["kind"] for row in table}, {"accuracy", "timing"})
         self.assertEqual({row["verdict"] for row in table if row["kind"] == "accuracy"}, {"identical"})
         times = [row for row in table if row["kind"] == "timing"]
-        with open(BASELINE / "timing.csv", newline="", encoding="utf-8") as text:
-            self.assertEqual(len(times), len(list(csv.DictReader(text))))
+        self.assertEqual(len(times), len(self.table("a/timing.csv")))
         for row in times:
             self.assertEqual(float(row["ratio"]), 1)
             units = {end: float(row[f"normalised_{end}"] or row[f"ratio_{end}"]) for end in ("low", "high")}
             self.assertEqual(row["verdict"], verdict(min(units["low"], float(row["ratio_low"])), max(units["high"], float(row["ratio_high"]))))
 
     def test_machines_first_then_accuracy_then_times(self):
-        path = self.folder / "b/machine.json"
-        machine = json.loads(path.read_text())
-        machine["build"]["compiler"] = "Clang 99"
-        path.write_text(json.dumps(machine))
-        self.list_anew("b")
+        self.change_machine(lambda machine: machine["build"].update(compiler="Clang 99"))
         text = self.fine("compare", "a", "b")
         self.assertIn("Clang 99", text)
         self.assertLess(text.index("build.compiler"), text.index("\naccuracy "))
@@ -100,9 +87,8 @@ class Compare(Case):
 
     def test_one_bit_of_accuracy(self):
         """The last digit of one value: its cell, both values, and an input that replays."""
-        with open(self.folder / "a/accuracy.csv", newline="", encoding="utf-8") as text:
-            victim = next(row for row in csv.DictReader(text)
-                          if row["baseline"] == "exact" and row["method"] == "de_casteljau" and row["degree"] == "20")
+        victim = next(row for row in self.table("a/accuracy.csv")
+                      if row["baseline"] == "exact" and row["method"] == "de_casteljau" and row["degree"] == "20")
         line = ",".join(victim.values())
         path = self.folder / "b/accuracy.csv"
         other = victim["max_error"][:-6] + "1" + victim["max_error"][-5:]
@@ -117,22 +103,9 @@ class Compare(Case):
             self.assertIn(needle, text)
         replay = next(line for line in text.splitlines() if "bezierbench replay a " in line).split()
         self.assertIn("the same\n", self.fine(*replay[1:]))
-        different = [row for row in self.table("a", "b", code=FINDING) if row["verdict"] == "different"]
+        different = [row for row in self.compared("a", "b", code=FINDING) if row["verdict"] == "different"]
         self.assertEqual([(row["a"], row["b"], row["column"]) for row in different],
                          [(victim["max_error"], other, "max_error")])
-
-    def test_slower_and_faster(self):
-        self.still_times("a")
-        self.still_times("b")
-        self.scale_times(1.25, lambda row: row["method"] == "de_casteljau")
-        self.scale_times(0.8, lambda row: row["method"] == "power_sum")
-        self.assertEqual(self.run_program("compare", "a", "b").returncode, FINE)
-        for row in self.table("a", "b"):
-            expected = {"de_casteljau": "slower", "power_sum": "faster"}.get(row["method"])
-            if row["kind"] != "timing" or not expected:
-                continue
-            self.assertEqual(row["verdict"], expected)
-            self.assertAlmostEqual(float(row["ratio"]), 1.25 if expected == "slower" else 0.8)
 
     # Gates.
 
@@ -145,35 +118,13 @@ class Compare(Case):
         self.still_times("a")
         self.still_times("b")
         self.scale_times(1.25, lambda row: row["method"] == "de_casteljau")
-        count = sum(row["method"] == "de_casteljau" for row in self.table("a", "b") if row["kind"] == "timing")
+        count = sum(row["method"] == "de_casteljau" for row in self.compared("a", "b") if row["kind"] == "timing")
         self.assertEqual(self.gate(FINDING, "slower"),
                          f"bezierbench: b, against a: {count} of 100 times are slower by more than 5 %; see --all\n")
         self.assertEqual(self.gate(FINE, "slower", "--threshold", "30%"), "")
         self.assertEqual(self.gate(FINE, "less-accurate"), "")
-        self.edit("timing.csv", lambda row: row.update(low_ns=repr(float(row["median_ns"]) / 1.2)))
+        self.edit("b/timing.csv", lambda row: row.update(low_ns=repr(float(row["median_ns"]) / 1.2)))
         self.assertEqual(self.gate(FINE, "slower"), "", "intervals that reach to below the threshold decide nothing")
-
-    def test_a_machine_that_changed_its_speed_fails_nothing(self):
-        self.still_times("a")
-        self.still_times("b")
-        self.edit("timing.csv", lambda row: row.update({column: repr(2 * float(row[column])) for column in TIMES}))
-        self.assertEqual(self.gate(FINE, "slower"), "")
-
-    def test_the_gate_of_errors(self):
-        """A change for the better passes; without --fail-on any changed bit fails."""
-        def scale(factor):
-            self.edit("accuracy.csv", lambda row: row.update(max_error_u=repr(factor * float(row["max_error_u"])))
-                      if row["method"] == "direct" and row["degree"] == "20" and row["max_error_u"] else None)
-        scale(0.5)
-        self.assertEqual(self.gate(FINE, "less-accurate,slower"), "")
-        self.assertEqual(self.run_program("compare", "a", "b").returncode, FINDING)
-        scale(2.08)
-        self.assertEqual(self.gate(FINE, "less-accurate"), "", "4 % more are within the threshold")
-        scale(1.1)
-        self.assertRegex(self.gate(FINDING, "less-accurate"), r"^bezierbench: b, against a: \d+ of \d+ rows are less accurate by more than 5 %; see --all\n$")
-        shutil.copy(BASELINE / "accuracy.csv", self.folder / "b")
-        self.edit("accuracy.csv", lambda row: row.update(bound_violations="3") if row["bound_violations"] == "0" and row["degree"] == "20" else None)
-        self.assertIn("rows are less accurate", self.gate(FINDING, "less-accurate"))
 
     def test_the_gate_of_counts(self):
         suite = self.suite(**{"kind": '"timing"', "degree": "[3]", "methods": '["direct", "horner_bernstein"]', "modes": '["point"]',
@@ -184,18 +135,19 @@ class Compare(Case):
                 self.skipTest(result.stderr.decode())
             self.assertEqual(result.returncode, FINE, result.stderr)
         self.assertEqual((self.folder / "x/cost.csv").read_bytes(), (self.folder / "y/cost.csv").read_bytes())
-        self.assertEqual([row["method"] for row in rows((self.folder / "x/cost.csv").read_text())], ["direct", "horner_bernstein"])
+        self.assertEqual([row["method"] for row in self.table("x/cost.csv")], ["direct", "horner_bernstein"])
         self.assertEqual(self.run_program("verify", "x").returncode, FINE)
         gate = ["compare", "x", "y", "--fail-on", "costlier"]
-        self.edit("cost.csv", lambda row: row.update(cycles_zen4="1000000"), "y")
+        self.edit("y/cost.csv", lambda row: row.update(cycles_zen4="1000000"))
         self.assertEqual(self.run_program(*gate).returncode, FINE, "a prediction is not a count")
-        self.edit("cost.csv", lambda row: row.update(instructions=repr(1.1 * float(row["instructions"])))
-                  if row["method"] == "direct" else None, "y")
+        self.edit("y/cost.csv", lambda row: row.update(instructions=repr(1.1 * float(row["instructions"])))
+                  if row["method"] == "direct" else None)
         result = self.run_program(*gate)
         self.assertEqual(result.returncode, FINDING)
         self.assert_one_line(result, "y, against x: 1 of 2 counts of instructions are larger by more than 5 %")
         self.assertIn("instructions, b over a: 1 of 2 counts differ", result.stdout.decode())
-        self.assertEqual([row["ratio"] for row in self.table("x", "y", "--fail-on", "costlier", code=FINDING) if row["kind"] == "cost"][1], "1")
+        rows = self.compared("x", "y", "--fail-on", "costlier", code=FINDING)
+        self.assertEqual([row["ratio"] for row in rows if row["kind"] == "cost"][1], "1")
 
     def test_reports_for_pull_requests(self):
         self.still_times("a")
@@ -219,7 +171,7 @@ class Compare(Case):
             self.assertEqual(result.returncode, code, result.stderr)
             return result.stdout.decode().splitlines()[0]
         self.assertRegex(first_line(), r"^verdict  accuracy identical in (\d+) rows; 0 slower, \d+ same, 0 faster, \d+ unresolved of 100 times$")
-        self.edit("accuracy.csv", lambda row: row.update(max_error="1") if row["method"] == "direct" else None)
+        self.edit("b/accuracy.csv", lambda row: row.update(max_error="1") if row["method"] == "direct" else None)
         self.assertRegex(first_line(code=FINDING), r"^verdict  accuracy differs in \d+ of \d+ rows; 0 slower")
 
     def test_only_what_changed_and_the_worst_first(self):
@@ -233,7 +185,7 @@ class Compare(Case):
             factor = {"direct": 1.5, "de_casteljau": 3}.get(row["method"], 1)
             if row["max_error_u"] and row["degree"] == "20":
                 row["max_error_u"] = repr(factor * float(row["max_error_u"]))
-        self.edit("accuracy.csv", worse)
+        self.edit("b/accuracy.csv", worse)
         result = self.run_program("compare", "a", "b")
         self.assertEqual(result.returncode, FINDING)
         text = result.stdout.decode()
@@ -249,25 +201,18 @@ class Compare(Case):
     def test_fits_the_terminal(self):
         self.assert_fits("compare", "a", "b")
         self.scale_times(1.25, lambda row: row["method"] == "de_casteljau")
-        self.edit("accuracy.csv", lambda row: row.update(max_error="1") if row["method"] == "direct" else None)
+        self.edit("b/accuracy.csv", lambda row: row.update(max_error="1") if row["method"] == "direct" else None)
         for more in ([], ["--all"], ["--method", "direct"]):
             self.assert_fits("compare", "a", "b", *more, code=FINDING)
 
     def test_readings_and_digests_are_no_differences_of_machines(self):
-        path = self.folder / "b/machine.json"
-        machine = json.loads(path.read_text())
-        machine["load_average"] = [7.25, 7.25, 7.25]
-        path.write_text(json.dumps(machine))
-        self.list_anew("b")
+        self.change_machine(lambda machine: machine.update(load_average=[7.25, 7.25, 7.25]))
         self.assertIn("machines and builds: the same, except for 3 readings and digests, see --all\n", self.fine("compare", "a", "b"))
         self.assertRegex(self.fine("compare", "a", "b", "--all"), r"\nload_average.0 +\S+ +7.25\n")
 
     def test_verdicts_are_those_that_compare_methods(self):
         """On another machine that takes twice as long for everything, no method is slower than it was."""
-        path = self.folder / "b/machine.json"
-        machine = json.loads(path.read_text())
-        machine["cpu"]["model_name"] = "another"
-        path.write_text(json.dumps(machine))
+        self.change_machine(lambda machine: machine["cpu"].update(model_name="another"))
         self.still_times("a")
         self.still_times("b")
         self.scale_times(2)
@@ -276,11 +221,12 @@ class Compare(Case):
         self.assertRegex(text, r"\n2 +b +another .* 2\.000 +1\.000\n")
 
     def test_one_method(self):
-        self.edit("accuracy.csv", lambda row: row.update(max_error="1") if row["method"] == "direct" else None)
-        table = self.table("a", "b", "--method", "de_casteljau")
+        self.edit("b/accuracy.csv", lambda row: row.update(max_error="1") if row["method"] == "direct" else None)
+        table = self.compared("a", "b", "--method", "de_casteljau")
         self.assertEqual({row["method"] for row in table}, {"de_casteljau"})
-        self.table("a", "b", "--method", "direct", code=FINDING)
-        self.assertEqual({row["method"] for row in self.table("a", "b", "--method", "*:horner")}, {"exact:horner", "factorial:horner", "differences:horner"})
+        self.compared("a", "b", "--method", "direct", code=FINDING)
+        self.assertEqual({row["method"] for row in self.compared("a", "b", "--method", "*:horner")},
+                         {"exact:horner", "factorial:horner", "differences:horner"})
         self.refused(USAGE, ["compare", "a", "b", "--method", "de_castel"], "--method de_castel")
 
     def test_rank_changes(self):
@@ -295,7 +241,7 @@ class Compare(Case):
         text = self.fine("compare", "a", "b", "c")
         ranks = [line.split()[:2] for line in text[text.index("\nrank ") + 1:].splitlines()[1:]]
         self.assertEqual(ranks, [["1", "b"], ["2", "a"], ["2", "c"]])
-        self.assertEqual({row["bundle"] for row in self.table("a", "b", "c")}, {"b", "c"})
+        self.assertEqual({row["bundle"] for row in self.compared("a", "b", "c")}, {"b", "c"})
 
     def test_tables_for_the_report(self):
         text = self.fine("compare", "a", "b", "--format", "csv", "--out", "tables/new")
@@ -340,10 +286,6 @@ class Compare(Case):
             self.bundle(self.suite(), "--seed", seed, name=name)
         self.refused(USAGE, ["compare", "x", "y"], "y: does not have a row in common with x")
         self.refused(USAGE, ["compare", "a", "x"], "does not have a row in common")
-
-    def test_damaged_times(self):
-        self.edit("timing.csv", lambda row: row.update(low_ns="quick"))
-        self.refused(INPUT_OUTPUT, ["compare", "a", "b"], "b/timing.csv:2: low_ns")
 
     def test_a_reader_that_leaves(self):
         shell = subprocess.run(["bash", "-c", f"'{PROGRAM}' compare a b | head -n 1"], cwd=self.folder, check=True,

@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """`replay` from outside: every recorded worst case and counterexample comes out again. Usage: replay_test.py BEZIERBENCH"""
-import csv
 import sys
 import unittest
 from pathlib import Path
@@ -25,22 +24,10 @@ class Replay(Case):
         (self.folder / "suite.toml").write_text("\n".join(HEAD + STUDIES) + "\n")
         self.bundle("suite.toml", name="b")
 
-    def recorded(self, name):
-        with open(self.folder / "b" / name, newline="") as file:
-            return list(csv.DictReader(file))
-
-    def write(self, path, rows):
-        """Writes a table of the bundle, and its checksum."""
-        with open(path, "w", newline="") as file:
-            writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-            writer.writeheader()
-            writer.writerows(rows)
-        self.list_anew("b")
-
     def test_recomputes_what_is_recorded(self):
         """One id of every method, scalar and dimension."""
-        chosen = {(r["method"], r["scalar"], r["dimension"]): r["worst_id"] for r in self.recorded("worst.csv")}
-        chosen |= {r["method"]: r["search_id"] for r in self.recorded("search.csv")}
+        chosen = {(r["method"], r["scalar"], r["dimension"]): r["worst_id"] for r in self.table("b/worst.csv")}
+        chosen |= {r["method"]: r["search_id"] for r in self.table("b/search.csv")}
         self.assertGreater(len(chosen), 100)
         for what, worst_id in chosen.items():
             with self.subTest(what=what):
@@ -49,7 +36,7 @@ class Replay(Case):
                 self.assertNotIn("DIFFERENT", text)
 
     def test_counterexamples_break_their_property_again(self):
-        rows = self.recorded("guarantees.csv") + self.recorded("guarantees_unstable.csv")
+        rows = self.table("b/guarantees.csv") + self.table("b/guarantees_unstable.csv")
         self.assertEqual(len({r["guarantee_id"] for r in rows}), len(rows))
         chosen = {(r["method"], r["scalar"], r["property"], r["verdict"]): r for r in rows if r["t"]}
         self.assertEqual({verdict for *_, verdict in chosen}, {"refuted", "not_refuted"})
@@ -61,7 +48,7 @@ class Replay(Case):
                     self.assertIn(words, text)
 
     def test_boxes_lose_a_point_again(self):
-        rows = {f"bounds.csv:{line}": row for line, row in enumerate(self.recorded("bounds.csv"), 2)}
+        rows = {f"bounds.csv:{line}": row for line, row in enumerate(self.table("b/bounds.csv"), 2)}
         refuted = {name: row for name, row in rows.items() if row["contains"] == "refuted"}
         self.assertEqual({row["form"] for row in refuted.values()}, {"bernstein", "rational"})
         for name, row in refuted.items():
@@ -73,34 +60,34 @@ class Replay(Case):
         self.refused(USAGE, ["replay", "b", proved], "has no curve with a point outside")
 
     def test_a_box_that_contains_its_curve_is_a_finding(self):
-        rows = self.recorded("bounds.csv")
+        rows = self.table("b/bounds.csv")
         line = next(line for line, row in enumerate(rows, 2) if row["contains"] == "refuted" and row["form"] == "bernstein")
         row = rows[line - 2]
         row["coefficients"] = " ".join(["0x1p+0"] * len(row["coefficients"].split()))
-        self.write(self.folder / "b/bounds.csv", rows)
+        self.write_table("b/bounds.csv", rows)
         result = self.run_program("replay", "b", f"bounds.csv:{line}")
         self.assertEqual(result.returncode, FINDING)
         self.assertIn(b"DIFFERENT", result.stdout)
 
     def test_a_proof_has_no_input(self):
-        row = next(r for r in self.recorded("guarantees.csv") if r["verdict"] == "proved")
+        row = next(r for r in self.table("b/guarantees.csv") if r["verdict"] == "proved")
         self.refused(USAGE, ["replay", "b", row["guarantee_id"]], "is proved")
 
     def test_what_does_not_break_its_property_is_a_finding(self):
         """Of an input that breaks a property the verdict is turned round, and of one that does not."""
         path = self.folder / "b/guarantees.csv"
         for before, after in (("refuted", "not_refuted"), ("not_refuted", "refuted")):
-            rows = self.recorded("guarantees.csv")
+            rows = self.table("b/guarantees.csv")
             row = next(r for r in rows if r["verdict"] == before)
             good = path.read_text()
             row["verdict"] = after
             row["largest"] = "0.5"
-            self.write(path, rows)
+            self.write_table(path, rows)
             self.assertIn(b"DIFFERENT", self.run_program("replay", "b", row["guarantee_id"]).stdout)
             path.write_text(good)
 
     def test_says_where_the_error_comes_from(self):
-        row = next(r for r in self.recorded("worst.csv") if r["method"] == "differences:horner" and r["degree"] == "4")
+        row = next(r for r in self.table("b/worst.csv") if r["method"] == "differences:horner" and r["degree"] == "4")
         text = self.fine("replay", "b", row["worst_id"])
         for words in ["input", "converted to power form", "conversion", "rounding of 1-t", "evaluation", "bound",
                       row["error"], row["t"]]:
@@ -108,7 +95,7 @@ class Replay(Case):
 
     def test_another_result_is_a_finding(self):
         path = self.folder / "b/worst.csv"
-        row = next(r for r in self.recorded("worst.csv") if float(r["error"]) > 0)
+        row = next(r for r in self.table("b/worst.csv") if float(r["error"]) > 0)
         path.write_text(path.read_text().replace(row["error"], "1e-30"))
         self.refused(INPUT_OUTPUT, ["replay", "b", row["worst_id"]], "b/worst.csv: is not what SHA256SUMS lists")
         self.list_anew("b")
@@ -123,13 +110,13 @@ class Replay(Case):
         self.refused(INPUT_OUTPUT, ["replay", "empty", "w1"], "empty: is not a bundle")
         path = self.folder / "b/worst.csv"
         good = path.read_text()
-        row = self.recorded("worst.csv")[0]
+        row = self.table("b/worst.csv")[0]
         for column, bad in [("t", "nan"), ("coefficients", row["coefficients"] + " 0x1p+0"), ("degree", "2000"),
                             ("scalar", "half"), ("dimension", "0"), ("method", "nobody")]:
             with self.subTest(column=column):
-                rows = self.recorded("worst.csv")
+                rows = self.table("b/worst.csv")
                 rows[0][column] = bad
-                self.write(path, rows)
+                self.write_table(path, rows)
                 self.refused(INPUT_OUTPUT, ["replay", "b", "w1"], "worst.csv:2: ")
                 path.write_text(good)
 

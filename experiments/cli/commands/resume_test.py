@@ -2,18 +2,15 @@
 # SPDX-License-Identifier: MIT
 """Runs that were stopped go on, and end with the bytes of a run that was not. Usage: resume_test.py BEZIERBENCH"""
 import re
-import resource
 import shutil
 import signal
-import subprocess
 import sys
-import time
 import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from program_case import CONVERSION, FINDING, FINE, INPUT_OUTPUT, PATIENCE, PROGRAM, TIMING, USAGE, rows  # noqa: E402
-from resume_case import ACCURACY, SEARCH, ResumeCase  # noqa: E402
+from program_case import (ACCURACY, CONVERSION, FINDING, FINE, INPUT_OUTPUT,  # noqa: E402
+                          SEARCH, TIMING, USAGE, ResumeCase)
 
 
 class Resume(ResumeCase):
@@ -121,32 +118,10 @@ class Resume(ResumeCase):
 
     def test_one_run_at_a_time(self):
         suite = self.suite({**ACCURACY, "trials": "2000000000"})
-        with subprocess.Popen([PROGRAM, "run", suite, "--quiet", "--out", "b"], cwd=self.folder,
-                              stderr=subprocess.PIPE) as process:
-            try:
-                deadline = time.monotonic() + PATIENCE
-                while not self.block_files("b") and time.monotonic() < deadline:
-                    time.sleep(0.01)
-                for arguments in ([], ["--shard", "1/2"]):
-                    self.refused(INPUT_OUTPUT, ["run", suite, "--quiet", "--out", "b", *arguments], "b: ", "run is at work",
-                                 alone=False)
-            finally:
-                process.kill()
-                process.communicate()
-
-    def test_nothing_to_write_with(self):
-        """No room for blocks: one line, and what was kept stays."""
-        suite = self.suite(ACCURACY)
-        self.start_and_stop("b", suite, which=signal.SIGINT)
-        before = self.results("b")
-        files = {path.name: path.read_bytes() for path in self.block_files("b")}
-        result = self.run_program("run", suite, "--quiet", "--checkpoint", 0, "--out", "b",
-                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000)))
-        self.assertEqual(result.returncode, INPUT_OUTPUT)
-        self.assert_one_line(result, "File too large")
-        self.assertEqual(self.results("b"), before)
-        self.assertEqual({path.name: path.read_bytes() for path in self.block_files("b")}, files)
-        self.bundle(suite, name="b")
+        with self.at_work("b", "run", suite, "--quiet", "--out", "b"):
+            for arguments in ([], ["--shard", "1/2"]):
+                self.refused(INPUT_OUTPUT, ["run", suite, "--quiet", "--out", "b", *arguments], "b: ", "run is at work",
+                             alone=False)
 
 
 class Timings(ResumeCase):
@@ -160,7 +135,7 @@ class Timings(ResumeCase):
         self.assertNotIn(", 0 of them done", text)
         self.bundle(suite, name="b")
         self.assertEqual((self.folder / "b/machine.json").read_bytes(), machine)
-        self.assertEqual(len(rows((self.folder / "b/timing.csv").read_text())), 9)  # and the sentinel
+        self.assertEqual(len(self.table("b/timing.csv")), 9)  # and the sentinel
 
     def test_taken_again_on_another_machine(self):
         suite = self.suite(self.TWO)

@@ -16,8 +16,8 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from program_case import (CONVERSION, FINDING, FINE, INPUT_OUTPUT, INTERRUPTED, PATIENCE,  # noqa: E402
-                          PROGRAM, REPORT_SUITE, ROOT, STUDY, TIMING, USAGE, Case, rows)
+from program_case import (  # noqa: E402
+    CONVERSION, FINE, INTERRUPTED, PATIENCE, PROGRAM, REPORT_SUITE, ROOT, STUDY, TIMING, USAGE, Case, rows)
 
 sys.path.append(str(ROOT))
 from scripts.digests import of_bundle  # noqa: E402
@@ -162,16 +162,10 @@ class Bundles(Case):
         self.assertEqual({line.split(",")[2] for line in after - before}, {"horner_bernstein"})
         self.assertRegex(self.fine("compare", "b", "more"), r"\n0 +1 +accuracy.csv, a horner_bernstein\n")
 
-    def test_a_bundle_of_an_earlier_schema_version_is_not_continued(self):
-        self.suite()
-        self.fine("run", "s.toml", "--quiet", "--out", "b", "--shard", "1/2")
-        self.write("b/bundle.json", json.dumps({**self.manifest("b"), "schema_version": 2}))
-        self.refused(USAGE, ["run", "s.toml", "--out", "b"], "b/bundle.json: schema_version is 2, this program reads 3; run the suite again")
-
     def test_verify_says_how_much_the_timed_kernels_judged(self):
         """direct_pow has no kernel for groups; of de_casteljau the first trial of each block goes through both."""
         self.bundle(self.suite(degree="[4]", trials="1030", methods='["de_casteljau", "direct_pow"]'))
-        counts = {row["method"]: int(row["own_kernel"]) for row in rows((self.folder / "b/reference.csv").read_text())}
+        counts = {row["method"]: int(row["own_kernel"]) for row in self.table("b/reference.csv")}
         self.assertEqual(counts["direct_pow"], 1030)
         self.assertIn(counts["de_casteljau"], (2, 1030))  # the latter on a processor without kernels for groups
         told = self.fine("verify", "b").splitlines()[1]
@@ -182,7 +176,7 @@ class Bundles(Case):
         modes = ["point", "one_shot"]
         self.bundle(self.suite(TIMING, degree="[1, 2, 3]", methods='["horner_bernstein", "de_casteljau"]',
                                modes=json.dumps(modes), baseline='"horner_bernstein"'))
-        table = rows((self.folder / "b/timing.csv").read_text())
+        table = self.table("b/timing.csv")
         timed = [row for row in table if row["method"] != "sentinel"]
         self.assertEqual(len({tuple(row[key] for key in ("method", "scalar", "degree", "mode")) for row in timed}),
                          2 * 3 * 2)
@@ -197,7 +191,7 @@ class Bundles(Case):
         sentinels = [row for row in table if row["method"] == "sentinel"]
         self.assertEqual([row["mode"] for row in sentinels], modes)
         self.assertEqual({(row["dimension"], row["degree"], row["checked"]) for row in sentinels}, {("", "", "yes")})
-        complexity = rows((self.folder / "b/complexity.csv").read_text())
+        complexity = self.table("b/complexity.csv")
         self.assertEqual(len(complexity), 2 * 2)
         for row in complexity:
             self.assertEqual(row["claimed"], {"de_casteljau": "2", "horner_bernstein": "1"}[row["method"]])
@@ -208,7 +202,7 @@ class Bundles(Case):
 
     def test_report_scorecard(self):
         self.bundle(REPORT_SUITE, "--only", "2.3.1-bezier", "--trials", "20", "--set", "replicates=20")
-        cells = rows((self.folder / "b/scorecard.csv").read_text())
+        cells = self.table("b/scorecard.csv")
         self.assertEqual({(cell["table"], cell["form"]) for cell in cells}, {("2.3.1", "bernstein")})
         for cell in cells:
             self.assertIn(cell["verdict"], ("inside", "edge"), "the ends of a band of 20 repetitions are not known")

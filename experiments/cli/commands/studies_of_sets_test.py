@@ -1,8 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Studies over curve sets, and `choose --curves`, from outside. Usage: studies_of_sets_test.py BEZIERBENCH"""
-import csv
-import io
 import shutil
 import sys
 import unittest
@@ -35,12 +33,9 @@ class CurveSets(Case):
     def curves(self, bundle):
         """The control points of each cubic curve of the set that a bundle has a copy of."""
         points = {}
-        for row in csv.DictReader(io.StringIO((self.folder / bundle / "curves_logo.csv").read_text())):
+        for row in self.table(f"{bundle}/curves_logo.csv"):
             points.setdefault(row["curve"], []).append([float.fromhex(row["x"]), float.fromhex(row["y"])])
         return [p for p in points.values() if len(p) == 4]
-
-    def accuracy(self, bundle):
-        return rows((self.folder / bundle / "accuracy.csv").read_text())
 
     def test_errors_are_those_of_rational_arithmetic(self):
         self.bundle(self.suite(STUDY))
@@ -56,21 +51,21 @@ class CurveSets(Case):
                 wrong += sum(v != float(x) for v, x in zip(value, truth))
                 square = sum((Fraction(v) - x) ** 2 for v, x in zip(value, truth))
                 largest, over_size = max(largest, square), max(over_size, square / Fraction(size) ** 2)
-        row = next(row for row in self.accuracy("b") if row["method"] == "de_casteljau")
+        row = next(row for row in self.table("b/accuracy.csv") if row["method"] == "de_casteljau")
         self.assertEqual((row["curves"], row["coordinate_range"], row["t_min"], row["generator"], row["trials"]),
                          ("logo", "", "", "stored", str(2 * COUNT)))
         self.assertGreater(wrong, 0)
         self.assertEqual(float(row["misrounded"]), wrong / (2 * 2 * COUNT))
         self.assertAlmostEqual(float(row["max_error"]) ** 2 / float(largest), 1, places=6)
         self.assertAlmostEqual(float(row["max_error_size"]) ** 2 / float(over_size), 1, places=6)
-        exact = next(row for row in self.accuracy("b") if row["method"] == "correctly_rounded")
+        exact = next(row for row in self.table("b/accuracy.csv") if row["method"] == "correctly_rounded")
         self.assertEqual(float(exact["misrounded"]), 0)
 
     def test_a_bundle_has_its_curves_and_needs_no_other_file(self):
         self.bundle(self.suite({**STUDY, "parameters_from": '"drawn"', "placement": '["stored", "translated"]', "degree": None}))
         (self.folder / "logo.svg").unlink()
         self.assertTrue(self.fine("verify", "b").startswith("b: fine"))
-        worst = rows((self.folder / "b/worst.csv").read_text())[0]["worst_id"]
+        worst = self.table("b/worst.csv")[0]["worst_id"]
         self.assertIn("u p~: the same", self.fine("replay", "b", worst))
         shutil.copy(self.folder / "b/curves_logo.csv", self.folder / "logo.csv")
         self.bundle(self.suite({**STUDY, "curves": '["logo.csv"]', "parameters_from": '"drawn"',
@@ -98,15 +93,15 @@ class CurveSets(Case):
     def test_a_suite_of_drawn_curves_takes_a_file(self):
         self.fine("run", "quick", "--curves", "logo.svg", "--no-timing", "--quiet", "--out", "b")
         self.assertTrue(self.fine("verify", "b").startswith("b: fine"))
-        found = {(row["study"], row["form"]) for row in self.accuracy("b")}
+        found = {(row["study"], row["form"]) for row in self.table("b/accuracy.csv")}
         self.assertEqual(found, {("quick-bezier", "bernstein"), ("quick-rational", "rational")})
-        self.assertEqual({row["curves"] for row in rows((self.folder / "b/projection.csv").read_text())}, {"logo"})
+        self.assertEqual({row["curves"] for row in self.table("b/projection.csv")}, {"logo"})
 
     def test_times_are_of_the_curves_of_the_file(self):
         """A problem that takes no curves, as interpolation, is left out."""
         suite = self.suite(TIMES, {**TIMES, "id": '"spline"', "methods": '["c2_natural"]', "degree": None, "points": "[10]"})
         self.fine("run", suite, "--curves", "logo.svg", "--quiet", "--out", "b")
-        timed = [row for row in rows((self.folder / "b/timing.csv").read_text()) if row["method"] == "de_casteljau_split"]
+        timed = [row for row in self.table("b/timing.csv") if row["method"] == "de_casteljau_split"]
         self.assertEqual(sorted((row["study"], row["curves"], row["degree"], row["checked"]) for row in timed),
                          [("split", "logo", degree, "yes") for degree in "123"])
 
@@ -122,21 +117,17 @@ class CurveSets(Case):
         suite = self.suite({**STUDY, "methods": '["de_casteljau"]'})
         self.bundle(suite)
         self.fine("inputs", suite, "--out", "inputs.csv")
-        table = rows((self.folder / "inputs.csv").read_text())
+        table = self.table("inputs.csv")
         for row in table:
             numbers = [float.fromhex(x) for x in row["coefficients"].split()]
             t = float.fromhex(row["t"])
             point = de_casteljau(list(zip(numbers[:4], numbers[4:])), t, 1 - t)
             row.update(zip("xy", map(float.hex, point)))
-        out = io.StringIO()
-        writer = csv.DictWriter(out, table[0], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(table)
-        self.write("mine.csv", out.getvalue())
+        self.write_rows("mine.csv", table)
         judged = rows(self.fine("judge", "mine.csv"))
         self.assertEqual([row["curves"] for row in judged], ["logo"])
         for column in ("mean_error", "max_error_u", "misrounded", "p99_error_size", "trials"):
-            self.assertEqual(judged[0][column], self.accuracy("b")[0][column], column)
+            self.assertEqual(judged[0][column], self.table("b/accuracy.csv")[0][column], column)
         self.fine("judge", "mine.csv", "--out", "judged")
         self.assertTrue(self.fine("verify", "judged").startswith("judged: fine"))
 

@@ -53,10 +53,7 @@ class Verify(Case):
                 written = path.read_text()
                 table = rows(written)
                 next(row for row in table if where.items() <= row.items()).update(fields)
-                with path.open("w", encoding="utf-8") as changed:
-                    writer = csv.DictWriter(changed, list(table[0]), lineterminator="\n")
-                    writer.writeheader()
-                    writer.writerows(table)
+                self.write_table(path, table)
                 self.sign("b")
                 result = self.run_program("verify", "b")
                 self.assertEqual((result.returncode, result.stdout), (FINDING, b""), result.stderr)

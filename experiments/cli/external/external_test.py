@@ -34,13 +34,9 @@ class External(Case):
     def program(self, name, text):
         return f"{sys.executable} {self.folder / self.write(name + '.py', text)}"
 
-    def own_rows(self, bundle, table="accuracy.csv"):
-        return [row for row in rows((self.folder / bundle / table).read_text())
-                if not row["method"].startswith(("plugin_", "program_", "answers_", "own_"))]
-
-    def external_rows(self, bundle, table="accuracy.csv"):
-        return [row for row in rows((self.folder / bundle / table).read_text())
-                if row["method"].startswith(("plugin_", "program_", "answers_", "own_"))]
+    def external_rows(self, bundle, table="accuracy.csv", external=True):
+        return [row for row in self.table(f"{bundle}/{table}")
+                if row["method"].startswith(("plugin_", "program_", "answers_", "own_")) == external]
 
     def assert_others_unchanged(self, with_external, without, tables=("accuracy.csv", "worst.csv", "reference.csv")):
         """All deterministic rows of other methods are those of a run without the method, byte for byte."""
@@ -58,7 +54,7 @@ class External(Case):
             self.assertEqual([a["status"], *(a[key] for key in numbers)], ["ok", *(b[key] for key in numbers)])
 
     def ours(self, bundle, method="de_casteljau"):
-        return [row for row in self.own_rows(bundle) if row["method"] == method]
+        return [row for row in self.external_rows(bundle, external=False) if row["method"] == method]
 
     def replayed(self, bundle, method, *options):
         worst = [row for row in self.external_rows(bundle, "worst.csv") if row["method"] == method]
@@ -184,7 +180,8 @@ class Ways(External):
         self.bundle(suite, name="without")
         self.bundle(suite, *commands, "--plugin", optional)
         self.assert_others_unchanged("b", "without", ("arc_length.csv", "projection.csv", "subdivision.csv"))
-        given, ours = self.external_rows("b", "subdivision.csv"), self.own_rows("b", "subdivision.csv")
+        given = self.external_rows("b", "subdivision.csv")
+        ours = self.external_rows("b", "subdivision.csv", external=False)
         self.assert_numbers_of(given, [row for row in ours if row["method"] == "de_casteljau_split"])
         lengths = self.external_rows("b", "arc_length.csv")
         self.assertEqual([row["tolerance"] for row in lengths], ["0.001", "1e-06"] * 2)
@@ -373,7 +370,7 @@ class Faults(External):
         suite = self.suite(**{**SMALL, "methods": '["program_mine"]'})
         self.refused(USAGE, ["run", suite, "--out", "b"], "program_mine")
         self.bundle(suite, "--program", ANSWER)
-        self.assertEqual([row["method"] for row in rows((self.folder / "b/accuracy.csv").read_text())], ["program_mine"] * 2)
+        self.assertEqual([row["method"] for row in self.table("b/accuracy.csv")], ["program_mine"] * 2)
         for changes in ({"curve": '"power"'}, {"scalar": '["float"]'}, {"kind": '"search"', "budget": "100"}):
             wrong = self.suite(**{**SMALL, "methods": '["program_mine"]', **changes}, name="wrong.toml")
             self.refused(USAGE, ["run", wrong, "--out", "d", "--program", ANSWER], "wrong.toml", "program_mine")

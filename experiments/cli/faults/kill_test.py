@@ -14,8 +14,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from program_case import CONVERSION, FINE, PATIENCE, PROGRAM  # noqa: E402
-from resume_case import ACCURACY, SEARCH, ResumeCase
+from program_case import ACCURACY, CONVERSION, FINE, PATIENCE, PROGRAM, SEARCH, ResumeCase  # noqa: E402
 
 SHARDS = 3
 NO_LEAK_CHECK = {"ASAN_OPTIONS": "detect_leaks=0"}  # it writes an error if the process is killed meanwhile

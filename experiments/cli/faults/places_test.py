@@ -9,8 +9,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from program_case import FINE, HAS_THREAD_SANITIZER, INPUT_OUTPUT, Case, CONVERSION, STUDY  # noqa: E402
-from resume_case import ResumeCase  # noqa: E402
+from program_case import CONVERSION, FINE, HAS_THREAD_SANITIZER, INPUT_OUTPUT, STUDY, Case, ResumeCase  # noqa: E402
 
 
 class StandardStreams(Case):
@@ -37,13 +36,6 @@ class Places(ResumeCase):
         for out in ("file", "file/deep/b", "full", "/proc/b", "n" * 300):
             with self.subTest(out=out):
                 self.refused(INPUT_OUTPUT, ["run", "s.toml", "--out", out], f"bezierbench: {out}: ", "choose")
-
-    def test_damaged_bundle(self):
-        self.bundle()
-        for content in ("", "{", "[]", '{"schema_version": 9}'):
-            with self.subTest(content=content):
-                self.write("b/bundle.json", content)
-                self.refused(INPUT_OUTPUT, ["run", "s.toml", "--out", "b"], "b/bundle.json")
 
     def test_links_are_replaced_and_not_written_through(self):
         self.write("mine.csv", "mine")

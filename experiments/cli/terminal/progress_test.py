@@ -133,9 +133,5 @@ class Progress(Case):
         done = subprocess.run(f"{command} --summary", shell=True, cwd=self.folder, check=False, capture_output=True)
         self.assertEqual((done.returncode, done.stderr), (FINE, b""))
 
-    def test_quiet(self):
-        self.assertEqual(self.fine("run", self.suite(), "--quiet", "--out", "b"), "")
-
-
 if __name__ == "__main__":
     unittest.main()
