@@ -2,8 +2,11 @@
 // The exception of experiments: an exit code and one line for the user.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace bezierbench {
 
@@ -21,6 +24,10 @@ enum class Exit : int {
 class Failure : public std::runtime_error {
  public:
   Failure(Exit exit, const std::string& line) : std::runtime_error(line), exit_(exit) {}
+  /// The line as fmt::format makes it.
+  template <class First, class... Rest>
+  Failure(Exit exit, fmt::format_string<First, Rest...> line, First&& first, Rest&&... rest)
+      : Failure(exit, fmt::format(line, std::forward<First>(first), std::forward<Rest>(rest)...)) {}
   [[nodiscard]] Exit exit() const { return exit_; }
 
  private:

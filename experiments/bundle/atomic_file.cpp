@@ -25,8 +25,8 @@ constexpr std::string_view temporary_prefix = ".bezierbench-";
 constexpr std::string_view temporary_suffix = ".tmp";
 
 [[noreturn]] void fail(const fs::path& path, std::string_view what, int error, std::string_view advice) {
-  throw Failure(Exit::input_output, fmt::format("{}: cannot be {}: {}; {}", path.string(), what,
-                                                std::generic_category().message(error), advice));
+  throw Failure(Exit::input_output, "{}: cannot be {}: {}; {}", path.string(), what,
+                std::generic_category().message(error), advice);
 }
 
 [[noreturn]] void fail_write(const fs::path& path, int error) {
@@ -115,7 +115,7 @@ std::string read_bundle_file(const fs::path& path) {
   std::error_code ignored;  // reading reports it
   const auto status = fs::symlink_status(path, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status))
-    throw Failure(Exit::input_output, fmt::format("{}: is not a regular file; restore the file", path.string()));
+    throw Failure(Exit::input_output, "{}: is not a regular file; restore the file", path.string());
   return read_file(path);
 }
 

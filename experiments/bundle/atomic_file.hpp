@@ -8,9 +8,10 @@
 
 namespace bezierbench::bundle {
 
-/// Replaces `path` by `bytes`: temporary file beside it, write, fsync, rename, fsync of the folder where it can. A symbolic link is
-/// followed; a pipe or character device (/dev/stdout) is written directly. Safe from several threads and processes.
-/// Throws Failure(Exit::input_output) with one line; then the old file is untouched and the temporary file removed.
+/// Replaces `path` by `bytes`: temporary file beside it, write, fsync, rename, fsync of the folder where it can. A
+/// symbolic link is followed; a pipe or character device (/dev/stdout) is written directly. Safe from several threads
+/// and processes. Throws Failure(Exit::input_output) with one line; then the old file is untouched and the temporary
+/// file removed.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// All bytes of a file. Throws Failure(Exit::input_output) with one line.

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/bundle/atomic_file.hpp"
 
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <csignal>
 #include <fstream>
 #include <set>
 #include <string>
@@ -100,57 +95,6 @@ TEST(AtomicFile, UnwritableFolderIsReported) {
   EXPECT_THAT(line_of([&] { write_file(folder.path(), "x"); }), HasSubstr("Is a directory"));
   EXPECT_EQ(read_file(folder.path() / "file"), "kept");
   EXPECT_EQ(folder.names(), std::set<std::string>{"file"});
-}
-
-// Runs in a child process, since the limit and the signal's disposition belong to the process. Returns 0 if all is as
-// promised.
-int write_beyond_the_limit(const fs::path& path) {
-  ignore_file_size_signal();
-  const rlimit limit{1000, 1000};
-  if (setrlimit(RLIMIT_FSIZE, &limit) != 0) return 2;
-  try {
-    write_file(path, std::string(5000, 'n'));
-  } catch (const Failure& failure) {
-    return std::string(failure.what()).find("File too large; free space") != std::string::npos ? 0 : 3;
-  }
-  return 4;
-}
-
-TEST(AtomicFile, FileSizeLimitLeavesTheOldFileAndNoOther) {
-  const ScratchFolder folder;
-  const fs::path path = folder.path() / "a.csv";
-  write_file(path, "old");
-  const pid_t child = fork();
-  ASSERT_NE(child, -1);
-  if (child == 0) _exit(write_beyond_the_limit(path));
-  int status = 0;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
-  ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
-  EXPECT_EQ(WEXITSTATUS(status), 0);
-  EXPECT_EQ(read_file(path), "old");
-  EXPECT_EQ(folder.names(), std::set<std::string>{"a.csv"});
-}
-
-TEST(AtomicFile, KilledWritersLeaveOldOrNewAndRecognisableNames) {
-  const ScratchFolder folder;
-  const fs::path path = folder.path() / "a";
-  const std::string even(400'000, 'e');
-  const std::string odd(400'000, 'o');
-  for (int round = 0; round < 10; ++round) {
-    write_file(path, even);
-    const pid_t child = fork();
-    ASSERT_NE(child, -1);
-    if (child == 0) {
-      for (;;) write_file(path, odd);
-    }
-    usleep(static_cast<useconds_t>(700 * round));
-    kill(child, SIGKILL);
-    waitpid(child, nullptr, 0);
-    const std::string bytes = read_file(path);
-    ASSERT_TRUE(bytes == even || bytes == odd);
-  }
-  for (const std::string& name : folder.names()) EXPECT_TRUE(name == "a" || is_temporary_name(name)) << name;
-  EXPECT_FALSE(is_temporary_name("a"));
 }
 
 TEST(AtomicFile, ThreadsDoNotShareTemporaryFiles) {

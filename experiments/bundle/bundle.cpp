@@ -10,7 +10,6 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/digest.hpp"
-#include "experiments/bundle/folder.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {
@@ -19,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& path, std::string_view what) {
-  throw Failure(Exit::input_output, fmt::format("{}: {}", path.string(), what));
+  throw Failure(Exit::input_output, "{}: {}", path.string(), what);
 }
 
 void make_folder(const fs::path& path) {
@@ -59,9 +58,8 @@ BundleDirectory BundleDirectory::open(const fs::path& path) {
 
 void BundleDirectory::write(std::string_view name, std::string_view bytes) const {
   const bool plain = !name.empty() && name.front() != '.' && name.find('/') == std::string_view::npos;
-  if (!plain || name == manifest_name || name == sums_name || name == blocks_name) {
+  if (!plain || name == manifest_name || name == sums_name || name == blocks_name)
     throw std::invalid_argument(fmt::format("'{}' is not allowed as the name of a bundle's file", name));
-  }
   make_partial_before_change();
   write_bundle_file(path_ / name, bytes);
 }
@@ -135,6 +133,43 @@ void BundleDirectory::finish(Manifest manifest, const std::vector<MethodDigest>&
 void BundleDirectory::clear_away() const {
   for (const std::string& name : list_folder(path_).temporaries) remove_entry(path_ / name);
   remove_entry(blocks());
+}
+
+bool is_inner_folder(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;  // an error here also makes the write fail, and that error is reported
+  const auto type = fs::symlink_status(path, ignored).type();
+  if (type == fs::file_type::directory) return true;
+  if (type == fs::file_type::not_found || type == fs::file_type::none || type == fs::file_type::unknown) return false;
+  throw Failure(Exit::input_output, "{}: is not a folder; remove it", path.string());
+}
+
+bool is_there(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(std::filesystem::symlink_status(path, ignored));
+}
+
+Folder list_folder(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  Folder folder;
+  std::error_code error;
+  for (fs::directory_iterator entry(path, error); !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    std::error_code ignored;  // fails if the entry was removed meanwhile, such as another writer's temporary file
+    const fs::file_status status = entry->symlink_status(ignored);
+    if (is_temporary_name(name)) {
+      folder.temporaries.push_back(name);
+    } else if (fs::is_regular_file(status)) {
+      folder.files.push_back(name);
+    } else {
+      folder.others.push_back(name);
+    }
+  }
+  if (error)
+    throw Failure(Exit::input_output, "{}: cannot be listed: {}; check the path and its permissions", path.string(),
+                  error.message());
+  for (auto* names : {&folder.files, &folder.temporaries, &folder.others}) std::ranges::sort(*names);
+  return folder;
 }
 
 }  // namespace bezierbench::bundle

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A bundle: the folder that holds everything one run gave, with checksums over it.
+// A bundle: the folder that holds everything one run gave, with checksums over it, and the file names that have a
+// meaning there.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/csv.hpp"
+#include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/manifest.hpp"
 
 namespace bezierbench::bundle {
@@ -78,5 +79,27 @@ class BundleDirectory {
 
   std::filesystem::path path_;
 };
+
+inline constexpr std::string_view manifest_name = "bundle.json";
+inline constexpr std::string_view sums_name = "SHA256SUMS";
+inline constexpr std::string_view blocks_name = "blocks";
+
+/// Names in a folder, each list sorted by name as bytes.
+struct Folder {
+  std::vector<std::string> files;        ///< regular files
+  std::vector<std::string> temporaries;  ///< temporary files of write_file, whose writer is at work or was killed
+  std::vector<std::string> others;       ///< folders, links and devices, blocks/ among them
+};
+
+/// Whether `path`, inside a bundle, is a folder; false where nothing has this name. Throws Failure(Exit::input_output)
+/// for anything else, also for a link to a folder: a stranger's bundle must not lead out of its folder.
+[[nodiscard]] bool is_inner_folder(const std::filesystem::path& path);
+
+/// Whether anything has this name, also a link to nothing.
+[[nodiscard]] bool is_there(const std::filesystem::path& path);
+
+/// The contents of the folder `path`, without those of its subfolders. Throws Failure(Exit::input_output) where it
+/// cannot be listed.
+[[nodiscard]] Folder list_folder(const std::filesystem::path& path);
 
 }  // namespace bezierbench::bundle

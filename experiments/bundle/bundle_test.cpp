@@ -17,12 +17,10 @@
 #include <vector>
 
 #include "experiments/bundle/atomic_file.hpp"
-#include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/check/verify.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/lock_file.hpp"
 #include "experiments/bundle/scratch_folder_test.hpp"
-#include "experiments/bundle/small_bundle_test.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {
@@ -72,9 +70,8 @@ TEST(Bundle, CreateRefusesWhatIsNotItsOwn) {
 TEST(Bundle, WriteTakesPlainNamesOnly) {
   const ScratchFolder folder;
   const BundleDirectory bundle = BundleDirectory::create(folder.path() / "b");
-  for (const char* name : {"", ".", "..", "../a", "/a", "a/b", ".hidden", "bundle.json", "SHA256SUMS", "blocks"}) {
+  for (const char* name : {"", ".", "..", "../a", "/a", "a/b", ".hidden", "bundle.json", "SHA256SUMS", "blocks"})
     EXPECT_THROW(bundle.write(name, "x"), std::invalid_argument) << name;
-  }
   EXPECT_FALSE(bundle.has("a.csv"));
   EXPECT_FALSE(bundle.has("blocks"));
   bundle.write("a.csv", "x");
@@ -229,14 +226,13 @@ TEST(Bundle, KilledFinishNeverLeavesAFalseComplete) {
   for (int round = 0; round < 20; ++round) {
     const pid_t child = fork();
     ASSERT_NE(child, -1);
-    if (child == 0) {
+    if (child == 0)
       for (int i = 0;; ++i) {
         std::string rows;
         for (int row = 0; row < i % 5; ++row) rows += last_row;
         bundle.write("accuracy.csv", table + rows);
         finish(bundle, with_state("complete"));
       }
-    }
     usleep(static_cast<useconds_t>(2000 + 137 * round));
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);

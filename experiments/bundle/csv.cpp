@@ -19,9 +19,8 @@ using Fields = std::vector<std::string>;
 // The first repeated name, or nullptr.
 const std::string* repeated(const Fields& names) {
   std::unordered_set<std::string_view> seen;
-  for (const std::string& name : names) {
+  for (const std::string& name : names)
     if (!seen.insert(name).second) return &name;
-  }
   return nullptr;
 }
 
@@ -43,16 +42,14 @@ std::string csv_line(const Fields& fields) {
 
 CsvTable::CsvTable(std::vector<std::string> columns) : columns_(std::move(columns)) {
   const bool nameless = columns_.empty() || std::ranges::find(columns_, "") != columns_.end();
-  if (nameless || repeated(columns_) || has_nul(columns_)) {
+  if (nameless || repeated(columns_) || has_nul(columns_))
     throw std::invalid_argument("a CSV table needs distinct column names");
-  }
 }
 
 void CsvTable::add_row(std::vector<std::string> fields) {
-  if (fields.size() != columns_.size() || has_nul(fields)) {
+  if (fields.size() != columns_.size() || has_nul(fields))
     throw std::invalid_argument(
         fmt::format("a row of {} for {} columns, or a NUL byte", count_of_fields(fields.size()), columns_.size()));
-  }
   rows_.push_back(std::move(fields));
 }
 
@@ -66,10 +63,8 @@ bool CsvDocument::has_column(std::string_view name) const { return std::ranges::
 
 std::size_t CsvDocument::column(std::string_view name) const {
   const auto found = std::ranges::find(header_, name);
-  if (found == header_.end()) {
-    throw Failure(Exit::input_output,
-                  fmt::format("{}:1: no column '{}'; check that this is the right file", file_name_, name));
-  }
+  if (found == header_.end())
+    throw Failure(Exit::input_output, "{}:1: no column '{}'; check that this is the right file", file_name_, name);
   return static_cast<std::size_t>(found - header_.begin());
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/bundle/digest.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -23,26 +23,47 @@ TEST(Digest, Sha256OfKnownTexts) {
   EXPECT_NE(sha256_hex(std::string_view("a\0b", 3)), sha256_hex("a"));
 }
 
-TEST(Digest, SumsAreSortedLinesThatCoreutilsChecks) {
-  const ScratchFolder folder;
-  folder.put("b.csv", "abc");
-  folder.put("a.csv", "");
-  folder.put("Z.csv", "abc");
-  const std::vector<std::string> names{"b.csv", "a.csv", "Z.csv"};
-  const std::string sums = sha256sums(folder.path(), names);
-  EXPECT_EQ(sums, std::string(of_abc) + "  Z.csv\n" + std::string(of_nothing) + "  a.csv\n" + std::string(of_abc) +
-                      "  b.csv\n");
-  folder.put("SHA256SUMS", sums);
-  const std::string command = "cd '" + folder.path().string() + "' && sha256sum --strict --status -c SHA256SUMS";
-  EXPECT_EQ(std::system(command.c_str()), 0);
-}
-
 TEST(Digest, AbsentFileAndUnprintableNameFail) {
   const ScratchFolder folder;
   const std::vector<std::string> names{"absent.csv"};
   EXPECT_THROW((void)sha256sums(folder.path(), names), Failure);
   EXPECT_THROW((void)sha256sum_line("a\nb", ""), Failure);
   EXPECT_THROW((void)sha256sum_line("a\\b", ""), Failure);
+}
+
+using testing::Contains;
+using testing::ElementsAre;
+
+const DeclaredTable& accuracy() { return *declared_table("accuracy.csv"); }
+
+std::vector<MethodDigest> digests(std::string_view text, const std::vector<std::string>& columns) {
+  return method_digests(accuracy(), parse_csv(text, "accuracy.csv"), columns);
+}
+
+constexpr auto three_rows =
+    "study,method,degree,max_error\n"
+    "s,direct,3,1e-17\n"
+    "s,horner,3,2e-17\n"
+    "s,direct,4,3e-17\n";
+
+TEST(MethodDigest, IsOfTheRowsOfOneMethodInOneStudyAsACsvFile) {
+  EXPECT_THAT(digests(three_rows, {"method", "max_error"}),
+              ElementsAre(
+                  MethodDigest{
+                      {"accuracy.csv", "s", "direct"}, 2, sha256_hex("method,max_error\ndirect,1e-17\ndirect,3e-17\n")},
+                  MethodDigest{{"accuracy.csv", "s", "horner"}, 1, sha256_hex("method,max_error\nhorner,2e-17\n")}));
+}
+
+TEST(MethodDigest, OfDigestedColumnsOnly) {
+  EXPECT_THAT(accuracy().digested(), Contains("unbounded_trials"));
+  EXPECT_THAT(declared_table("worst.csv")->digested(), testing::Not(Contains("worst_id")));
+  EXPECT_THROW((void)digests(three_rows, {"unbounded_trials"}), Failure);
+}
+
+TEST(MethodDigest, AreReadBackFromTheirTable) {
+  const auto all = digests(three_rows, {"degree"});
+  EXPECT_EQ(parse_digests(parse_csv(digests_csv(all), digests_name)), all);
+  EXPECT_THROW((void)parse_digests(parse_csv("table,study,method,rows,digest\na,b,c,-1,d\n", digests_name)), Failure);
 }
 
 }  // namespace

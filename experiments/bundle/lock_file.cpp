@@ -2,7 +2,6 @@
 #include "experiments/bundle/lock_file.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -17,8 +16,8 @@ namespace bezierbench::bundle {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
-  throw Failure(Exit::input_output, fmt::format("{}: cannot be locked: {}; choose an --out that you may write to",
-                                                path.string(), std::generic_category().message(error)));
+  throw Failure(Exit::input_output, "{}: cannot be locked: {}; choose an --out that you may write to", path.string(),
+                std::generic_category().message(error));
 }
 
 }  // namespace
@@ -35,7 +34,7 @@ LockFile::LockFile(std::filesystem::path path) : path_(std::move(path)) {
   struct stat facts {};
   if (::fstat(descriptor_, &facts) == 0 && S_ISREG(facts.st_mode)) return;
   ::close(descriptor_);
-  throw Failure(Exit::input_output, fmt::format("{}: lock file is not a regular file; remove it", path_.string()));
+  throw Failure(Exit::input_output, "{}: lock file is not a regular file; remove it", path_.string());
 }
 
 LockFile::~LockFile() { ::close(descriptor_); }

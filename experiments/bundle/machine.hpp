@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// machine.json: the machine and the build that made a bundle. Timings mean little without it; accuracy must not depend
-// on it.
+// machine.json: the machine and the build that made a bundle, and why times taken there may not be reliable. Timings
+// mean little without it; accuracy must not depend on it.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,5 +44,16 @@ enum class HostName { left_out, told };
 /// the host's name. Times taken under different fingerprints are not comparable. Any text, also one that is not JSON,
 /// has a fingerprint.
 [[nodiscard]] std::string machine_fingerprint(const std::string& machine_json);
+
+/// One aspect of a machine to know before times are relied on.
+struct Concern {
+  std::string aspect;  ///< clock, governor, boost, load, virtualised, counters
+  std::string text;    ///< what is wrong and what to do about it
+  bool warning;        ///< false: nothing is wrong, and `text` is the value found
+};
+
+/// One concern for each aspect, in a fixed order. A value that could not be read gives a warning. Throws
+/// Failure(Exit::input_output) where the text is not that of a machine.json.
+[[nodiscard]] std::vector<Concern> timing_fitness(std::string_view machine_json);
 
 }  // namespace bezierbench::bundle

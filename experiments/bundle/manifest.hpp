@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// bundle.json: what a bundle contains, whether it is complete, and which build made it.
+// bundle.json: what a bundle contains, whether it is complete, and which build made it; and the reader of the JSON
+// files of a bundle.
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,5 +36,23 @@ struct Manifest {
 /// for malformed JSON and "FILE_NAME: ..." for a key that is missing or has the wrong type, an unknown state or schema
 /// version, or a seed that is not an unsigned 64-bit integer.
 [[nodiscard]] Manifest parse_manifest(std::string_view text, std::string_view file_name);
+
+/// The object that `text` holds, its keys in their order. Throws Failure(Exit::input_output): "FILE_NAME:LINE:COLUMN:
+/// ..." for malformed JSON, "FILE_NAME: ..." for a value that is not an object, is nested too deep or has a number
+/// beyond every double.
+[[nodiscard]] nlohmann::ordered_json parse_json_object(std::string_view text, std::string_view file_name);
+
+// The values in bundle.json and machine.json as a list that can be compared and printed.
+
+/// One value with its path in the object: `cpu.model_name`, `load_average.0`.
+struct Fact {
+  std::string name;
+  std::string value;  ///< the text itself; any other value as JSON
+
+  friend bool operator==(const Fact&, const Fact&) = default;
+};
+
+/// Every value of a JSON object, in the object's order. Throws as parse_json_object does.
+[[nodiscard]] std::vector<Fact> facts(std::string_view json, std::string_view file_name);
 
 }  // namespace bezierbench::bundle

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Parsers of bundle.json and of the facts in it and in machine.json, and the fingerprint, which any text has.
-#include "experiments/bundle/json_object.hpp"
 #include "experiments/bundle/machine.hpp"
 #include "experiments/bundle/manifest.hpp"
 #include "experiments/fuzzing/property.hpp"

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "experiments/bundle/machine.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {
@@ -110,10 +111,17 @@ TEST(Manifest, MalformedJsonIsLocated) {
   EXPECT_THAT(refusal("{\"seed\": 1e999}"), StartsWith("B/bundle.json: a number beyond every double; "));
   EXPECT_THAT(refusal("[]"), StartsWith("B/bundle.json: not a JSON object; "));
   const std::string text = manifest_json(example());
-  for (std::size_t length = 0; length + 2 < text.size(); ++length) {
+  for (std::size_t length = 0; length + 2 < text.size(); ++length)
     ASSERT_THAT(refusal(std::string_view(text).substr(0, length)), HasSubstr("malformed JSON"));
-  }
 }
+
+TEST(Facts, AreNamedByTheirPlaceInTheOrderOfTheFile) {
+  EXPECT_EQ(bundle::facts(R"({"z": "text", "cpu": {"smt": false, "cores": 2}, "load": [0.5, "unknown"]})", "m.json"),
+            (std::vector<Fact>{
+                {"z", "text"}, {"cpu.smt", "false"}, {"cpu.cores", "2"}, {"load.0", "0.5"}, {"load.1", "unknown"}}));
+}
+
+TEST(Facts, OfAnEmptyObjectAreNone) { EXPECT_TRUE(bundle::facts("{}", "m.json").empty()); }
 
 }  // namespace
 }  // namespace bezierbench::bundle

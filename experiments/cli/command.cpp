@@ -13,9 +13,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "experiments/cli/terminal/wrapped.hpp"
+#include "experiments/cli/terminal/text.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/suite/nearest.hpp"
+#include "experiments/suite/ids.hpp"
 #include "experiments/terminal.hpp"
 #include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
@@ -118,7 +118,7 @@ class Help : public CLI::Formatter {
 };
 
 [[noreturn]] void refuse(const CLI::App& app, const std::string& what) {
-  throw Failure(Exit::usage, fmt::format("{}; see {} --help", what, full_name(chosen_command(app))));
+  throw Failure(Exit::usage, "{}; see {} --help", what, full_name(chosen_command(app)));
 }
 
 /// Help is given for commands that exist, not for a mistyped one.

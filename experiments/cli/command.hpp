@@ -36,8 +36,8 @@ class Option {
  public:
   Option(CLI::Option& option, ValuesOfOptions& values) : option_(&option), values_(&values) {}
 
-  /// Names the value, for help (`--out FOLDER`), and lists the values, for completions. A positional argument is named by
-  /// Command::option.
+  /// Names the value, for help (`--out FOLDER`), and lists the values, for completions. A positional argument is named
+  /// by Command::option.
   Option takes(const std::string& name, KnownValues values = {});
   Option required();
   Option once();           ///< one value only, of an option that could take several
@@ -58,8 +58,8 @@ class Command {
   Command command(const std::string& name, const std::string& help);
 
   /// Adds an option. Its value is written to `value` before the action runs; the value before that is the default. A
-  /// name without -- is that of a positional argument, as help prints it. All numbers except small integers are read as text, for
-  /// reference/number to parse, because the parser would accept nan, and 1e-999 as 0.
+  /// name without -- is that of a positional argument, as help prints it. All numbers except small integers are read as
+  /// text, for reference/number to parse, because the parser would accept nan, and 1e-999 as 0.
   template <class Value>
   Option option(const std::string& name, Value& value, const std::string& help);
   Option flag(const std::string& name, bool& value, const std::string& help);
@@ -92,12 +92,13 @@ class Program {
 
   [[nodiscard]] Command command() { return {*app_, values_}; }
 
-  /// What can stand in place of the last of `words`, which may be empty; the words before it are complete, and the name of
-  /// the program is not among them. Each entry is `WORD` or `WORD<tab>MEANING`. Where there is none, shells offer files.
+  /// What can stand in place of the last of `words`, which may be empty; the words before it are complete, and the name
+  /// of the program is not among them. Each entry is `WORD` or `WORD<tab>MEANING`. Where there is none, shells offer
+  /// files.
   [[nodiscard]] std::vector<std::string> completions(std::span<const std::string> words) const;
 
-  /// Runs the action of the chosen command, or prints help or version to standard output. `complete WORDS...`, which the
-  /// functions of the shells call, prints completions(). Throws Failure(Exit::usage) for a wrong command line, and
+  /// Runs the action of the chosen command, or prints help or version to standard output. `complete WORDS...`, which
+  /// the functions of the shells call, prints completions(). Throws Failure(Exit::usage) for a wrong command line, and
   /// whatever the action throws.
   void run(int argc, const char* const* argv);
 

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// Compiled for plain x86-64, unlike the rest, and its check of the processor runs before any other initialiser, so that the
-// message comes before the first instruction that the processor does not have.
+// SPDX-License-Identifier: MIT Compiled for plain x86-64, unlike the rest, and its check of the processor runs before
+// any other initialiser, so that the message comes before the first instruction that the processor does not have.
 #include <unistd.h>
 
 #include <cstdlib>

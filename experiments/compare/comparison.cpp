@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 
-#include "experiments/compare/ratio.hpp"
 #include "experiments/tables/table_row.hpp"
 #include "reference/number/number.hpp"
 

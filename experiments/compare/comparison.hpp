@@ -2,6 +2,7 @@
 // A bundle compared with another one: machines and builds, results bit for bit, and times.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -12,7 +13,6 @@
 #include "experiments/compare/join.hpp"
 #include "experiments/compare/side.hpp"
 #include "experiments/metric/order_statistics.hpp"
-#include "experiments/metric/verdict.hpp"
 
 namespace bezierbench::compare {
 
@@ -25,8 +25,8 @@ struct Timed {
   metric::Interval a;  ///< nanoseconds per point
   metric::Interval b;
   std::optional<metric::Interval> normalised = {};  ///< b over a in units of the sentinel, where both sides have them
-  /// The ratio that compares the methods. Between two machines it is the one in units of the sentinel. On one machine it
-  /// reaches over both ratios: they differ where the machine changed its speed, and then neither is the method's.
+  /// The ratio that compares the methods. Between two machines it is the one in units of the sentinel. On one machine
+  /// it reaches over both ratios: they differ where the machine changed its speed, and then neither is the method's.
   metric::Interval judged = {};
   std::string quality = {};  ///< the worse of the two sides: `ok`, or the word in the file
   int rank_a = 0;            ///< 1 + number of methods in the same race that are certainly faster; 0 if not ranked
@@ -96,5 +96,31 @@ struct Comparison {
 /// inputs of the row and the columns that explain the verdict. `kind` is `accuracy`, `timing` or `cost`; `a` and
 /// `b` are the values in `column` of `file`.
 [[nodiscard]] bundle::CsvTable comparison_table(const std::vector<Comparison>& comparisons);
+
+// The ratio of two times with its interval, where each time is known by its median and an interval only.
+//
+// Recovery of variance estimates (MOVER), on logarithms. A run's interval [l, u] around its median m says how far the
+// median may be off in each direction: log(m/l) below and log(u/m) above, whatever the distribution. For a difference
+// of independent estimates these distances add in squares, the lower one of the first with the upper one of the second
+// (Zou and Donner 2008, Statistics in Medicine 27:1693, section 2; Donner and Zou 2012, Statistical Methods in Medical
+// Research 21:347, for ratios). With x = log b and y = log a, log(b/a) = x - y lies in
+//
+//     [x - y - sqrt(log(b/b_low)^2 + log(a_high/a)^2),  x - y + sqrt(log(b_high/b)^2 + log(a/a_low)^2)]
+//
+// at the confidence of the two intervals. The intervals cover what varied within each run. Each time is therefore taken
+// in several repetitions (experiments/race/race.hpp): what changes from one repetition to the next also changes
+// from one run to the next.
+
+/// The ratio b / a with its interval. Medians and limits must be positive; the interval is NaN where they are not.
+inline metric::Interval ratio(const metric::Interval& b, const metric::Interval& a) {
+  const auto distance = [](double low, double high) {
+    return low > 0 && low <= high ? std::log(high / low) : std::numeric_limits<double>::quiet_NaN();
+  };
+  const auto root_of_squares = [](double x, double y) { return std::sqrt(x * x + y * y); };
+  const double median = b.median / a.median;
+  const double below = root_of_squares(distance(b.low, b.median), distance(a.median, a.high));
+  const double above = root_of_squares(distance(b.median, b.high), distance(a.low, a.median));
+  return {median, median * std::exp(-below), median * std::exp(above)};
+}
 
 }  // namespace bezierbench::compare

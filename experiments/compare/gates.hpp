@@ -2,7 +2,6 @@
 // Gates: what a change of a method must not do, decided row by row on what two bundles have in common.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "experiments/bundle/bundle.hpp"
-#include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/schema/columns.hpp"
 
 namespace bezierbench::compare {

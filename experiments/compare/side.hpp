@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "experiments/bundle/csv.hpp"
-#include "experiments/bundle/json_object.hpp"
 #include "experiments/bundle/manifest.hpp"
 
 namespace bezierbench::compare {

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "experiments/compare/ratio.hpp"
-#include "reference/number/number.hpp"
+#include "experiments/compare/comparison.hpp"
+#include "experiments/tables/table_row.hpp"
 
 namespace bezierbench::compare {
 namespace {
@@ -95,9 +95,9 @@ bundle::CsvTable standings_table(const std::vector<Standing>& standings) {
   bundle::CsvTable table({"rank", "bundle", "cpu", "compiler", "machine", "accuracy_rows_differing", "timings",
                           "mean_ratio", "mean_normalised"});
   for (const auto& one : standings)
-    table.add_row({one.rank ? std::to_string(*one.rank) : "", one.side->name, one.side->fact("cpu.model_name"),
-                   one.side->fact("build.compiler"), one.same_machine ? "same" : "other", std::to_string(one.differing),
-                   std::to_string(one.timings), number::decimal(one.mean_ratio), number::decimal(one.mean_normalised)});
+    table.add_row(tables::texts(one.rank, one.side->name, one.side->fact("cpu.model_name"),
+                                one.side->fact("build.compiler"), one.same_machine ? "same" : "other", one.differing,
+                                one.timings, one.mean_ratio, one.mean_normalised));
   return table;
 }
 

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/external/answers.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
 #include <cctype>
 #include <filesystem>
-#include <limits>
 #include <unordered_map>
-#include <utility>
 
+#include "experiments/external/method.hpp"
 #include "experiments/failure.hpp"
 #include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
@@ -70,9 +67,9 @@ class AnswerRow {
 
  private:
   [[noreturn]] void malformed(std::string_view column, std::string_view what) const {
-    throw Failure(Exit::input_output, fmt::format("{}:{}: {} {}; leave the columns of `bezierbench inputs` as "
-                                                  "they are and add the answers",
-                                                  table_.file_name(), table_.line(row_), column, what));
+    throw Failure(Exit::input_output,
+                  "{}:{}: {} {}; leave the columns of `bezierbench inputs` as they are and add the answers",
+                  table_.file_name(), table_.line(row_), column, what);
   }
   [[nodiscard]] double number_in(std::string_view column, std::string_view word) const {
     const auto value = number::parse_number(word);

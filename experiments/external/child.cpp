@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/external/child.hpp"
 
-#include <fmt/format.h>
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): kill is not in <csignal>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -29,9 +28,10 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t max_errors = 4096;  // bytes of standard error that are kept
 
 [[noreturn]] void cannot(std::string_view what) {
-  throw Failure(Exit::environment, fmt::format("no process can be started for an external method: {}: {}; use "
-                                               "fewer --jobs or raise the limits (ulimit -u, -n)",
-                                               what, std::generic_category().message(errno)));
+  throw Failure(
+      Exit::environment,
+      "no process can be started for an external method: {}: {}; use fewer --jobs or raise the limits (ulimit -u, -n)",
+      what, std::generic_category().message(errno));
 }
 
 /// A file in memory that no other process can open.

@@ -26,8 +26,8 @@ template <Evaluator Method, class Scalar>
 inline constexpr std::array<const Kernel<Scalar>*, 3> kernels_in{
     &kernel_in<Method, Scalar, 1>, &kernel_in<Method, Scalar, 2>, &kernel_in<Method, Scalar, 3>};
 
-/// Whether `prepare` and `evaluate` take float as well. A method that takes it by its signatures only says so by a member
-/// `double_only`.
+/// Whether `prepare` and `evaluate` take float as well. A method that takes it by its signatures only says so by a
+/// member `double_only`.
 template <class Method>
 concept AnswersInFloat = !requires {
   Method::double_only;
@@ -44,8 +44,8 @@ constexpr external::OwnMethod own_method() {
     return {&Method::info, kernels_in<Method, double>, {}};
 }
 
-/// Runs bezierbench with these methods; returns the exit code. `info` states what the method takes (form and degrees); a
-/// bound that it states is not checked.
+/// Runs bezierbench with these methods; returns the exit code. `info` states what the method takes (form and degrees);
+/// a bound that it states is not checked.
 template <Evaluator... Methods>
 int main(int argc, char** argv) {
   static constexpr std::array<external::OwnMethod, sizeof...(Methods)> own{own_method<Methods>()...};

@@ -1,9 +1,129 @@
 // SPDX-License-Identifier: MIT
+
 #include "experiments/external/method.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <string_view>
+
+#include "experiments/failure.hpp"
 
 namespace bezierbench::external {
+namespace {
+
+template <class Scalar>
+Status evaluate_each(const Method& method, const Batch& batch, std::vector<double>& points) {
+  const auto* kernel = method.open_kernel(batch.dimension, Scalar{});
+  if (kernel == nullptr) return Status::exited;
+  const auto alignment = std::align_val_t{std::max(kernel->prepared_alignment, alignof(std::max_align_t))};
+  void* const prepared = ::operator new(kernel->prepared_size, alignment);  // the process ends with the batch
+  const auto evaluate_point = kernel->evaluate_for(batch.degree);
+  const std::vector<Scalar> coefficients(batch.coefficients.begin(), batch.coefficients.end());
+  const std::vector<Scalar> weights(batch.weights.begin(), batch.weights.end());
+  std::vector<Scalar> computed(points.begin(), points.end());
+  for (std::size_t k = 0; k < batch.count(); ++k) {
+    const auto t = static_cast<Scalar>(batch.inputs[k]);
+    kernel->prepare(batch.curve<Scalar>(k, coefficients, weights), prepared);
+    evaluate_point(prepared, std::span(&t, 1), computed.data() + k * static_cast<std::size_t>(batch.dimension));
+    if (kernel->destroy != nullptr) kernel->destroy(prepared);
+  }
+  std::copy(computed.begin(), computed.end(), points.begin());
+  return Status::ok;
+}
+
+std::string_view last_line(std::string_view text) {
+  const auto end = text.find_last_not_of(" \n\r\t");
+  if (end == std::string_view::npos) return {};
+  text = text.substr(0, end + 1);
+  return text.substr(text.rfind('\n') + 1);
+}
+
+class Own final : public Code {
+ public:
+  Own(const OwnMethod& method, const Limits& limits, bool (*stop)()) : Code(limits, stop), method_(method) {
+    const MethodInfo& info = *method.info;
+    record_.id = info.id;
+    record_.kind = suite::ExternalKind::own;
+    record_.label = info.label;
+    record_.form = info.form;
+    record_.min_degree = info.min_degree;
+    record_.max_degree = info.max_degree;
+    if (method.float_kernels.front() != nullptr)
+      record_.scalars = {suite::ScalarKind::float32, suite::ScalarKind::float64};
+    if (const auto what = suite::external_id_problem(record_.id, record_.kind); !what.empty())
+      throw Failure(Exit::usage, what + "; change MethodInfo::id");
+  }
+
+  [[nodiscard]] const Kernel<double>* open_kernel(int dimension, double /*zero*/) const override {
+    return method_.kernels.at(static_cast<std::size_t>(dimension) - 1);
+  }
+  [[nodiscard]] const Kernel<float>* open_kernel(int dimension, float /*zero*/) const override {
+    return method_.float_kernels.at(static_cast<std::size_t>(dimension) - 1);
+  }
+
+ private:
+  OwnMethod method_;
+};
+
+}  // namespace
+
+Answer failed(const Ended& ended) {
+  const auto message = last_line(ended.errors);
+  const auto with = [&](const std::string& how) { return message.empty() ? how : fmt::format("{}: {}", how, message); };
+  switch (ended.end) {
+    case End::exited: {
+      const auto* const when = ended.code == 0 ? " before it had answered" : "";
+      return {Status::exited, {}, with(fmt::format("the process ended with code {}{}", ended.code, when))};
+    }
+    case End::signalled:
+      return {Status::crashed, {}, with(fmt::format("signal {} ({})", ended.code, strsignal(ended.code)))};
+    case End::timed_out: return {Status::timed_out, {}, with("it did not end within the time limit")};
+    case End::interrupted: break;
+  }
+  return {Status::timed_out, {}, "interrupted"};
+}
+
+Status Code::answer(const Batch& batch, std::vector<double>& numbers) const {
+  try {
+    if (batch.problem != Problem::evaluation) return solve(batch, numbers);
+    return batch.scalar == suite::ScalarKind::float32 ? evaluate_each<float>(*this, batch, numbers)
+                                                      : evaluate_each<double>(*this, batch, numbers);
+  } catch (const CurveRefused&) {
+    return Status::refused;
+  } catch (...) {
+    return Status::threw;
+  }
+}
+
+Answer Code::ask(const Batch& batch) const {
+  const std::size_t numbers = batch.count() * batch.answer_size();
+  const auto work = [&] {
+    const int file = keep_output_for_answer();
+    // A number that was not written is not finite.
+    std::vector<double> computed(numbers, std::numeric_limits<double>::quiet_NaN());
+    const Status status = answer(batch, computed);
+    write_all(file, {reinterpret_cast<const char*>(&status), sizeof status});
+    write_all(file, {reinterpret_cast<const char*>(computed.data()), numbers * sizeof(double)});
+  };
+  constexpr std::size_t room_for_errors = 1U << 20U;
+  const auto size = sizeof(Status) + numbers * sizeof(double);
+  const auto ended = run_in_child(work, {}, size + room_for_errors, limits_, stop_);
+  if (ended.end != End::exited || ended.code != 0 || ended.output.size() != size) return failed(ended);
+  Answer answer;
+  std::memcpy(&answer.status, ended.output.data(), sizeof answer.status);
+  answer.numbers.resize(numbers);
+  std::memcpy(answer.numbers.data(), ended.output.data() + sizeof answer.status, numbers * sizeof(double));
+  if (answer.status != Status::ok) answer.detail = last_line(ended.errors);
+  return answer;
+}
+
+std::shared_ptr<const Method> own(const OwnMethod& method, const Limits& limits, bool (*stop)()) {
+  return std::make_shared<Own>(method, limits, stop);
+}
 
 void Batch::add(const CurveView<double>& curve, std::span<const double> given) {
   inputs.insert(inputs.end(), given.begin(), given.end());

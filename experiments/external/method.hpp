@@ -3,6 +3,7 @@
 // program. Batches of inputs are handed to it, each in a child process.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -15,14 +16,15 @@
 #include "core/curve_view.hpp"
 #include "core/evaluate/kernel/kernel.hpp"
 #include "core/method.hpp"
+#include "experiments/bundle/csv.hpp"
 #include "experiments/external/child.hpp"
 #include "experiments/external/own_method.hpp"
 #include "experiments/suite/external.hpp"
 
 namespace bezierbench::external {
 
-/// How many numbers a problem gives beside a curve: t; the ends of the part to be measured and the tolerance, relative to
-/// the length; the point; t.
+/// How many numbers a problem gives beside a curve: t; the ends of the part to be measured and the tolerance, relative
+/// to the length; the point; t.
 constexpr std::size_t inputs_of(Problem problem, int dimension) {
   constexpr std::size_t part_and_tolerance = 3;
   if (problem == Problem::arc_length) return part_and_tolerance;
@@ -115,9 +117,49 @@ std::shared_ptr<const Method> own(const OwnMethod& method, const Limits& limits,
 /// degrees. Throws Failure(usage) for a file that is not a plug-in, Failure(input_output) for one that cannot be read.
 std::shared_ptr<const Method> plugin(const std::filesystem::path& file, const Limits& limits, bool (*stop)());
 
-/// A command, started once for each batch, which reads inputs from its standard input and writes answers to its standard
-/// output; docs/own_method.md describes both. It is started here without inputs to read its id. Throws Failure(usage)
-/// for a first line that is not as described there.
+/// A command, started once for each batch, which reads inputs from its standard input and writes answers to its
+/// standard output; docs/own_method.md describes both. It is started here without inputs to read its id. Throws
+/// Failure(usage) for a first line that is not as described there.
 std::shared_ptr<const Method> program(const std::string& command, const Limits& limits, bool (*stop)());
+
+/// The columns of the answer, one per axis: x, y, z. Those beyond the dimension of the input stay empty.
+inline constexpr std::array<std::string_view, 3> answer_columns{"x", "y", "z"};
+
+/// The default id of a file of answers: answers_ and the letters and digits of its name.
+std::string answers_id(std::string_view file_name);
+
+/// The answers of a table with the columns form, dimension, degree, t, coefficients, weights, x, y, z; an input is
+/// found by its bits. Throws Failure(input_output) that names file, line and column for a field that cannot be read,
+/// and Failure(usage) for an invalid id.
+std::shared_ptr<const Method> answers(const bundle::CsvDocument& table, const std::string& id,
+                                      const std::string& sha256);
+
+/// The kernel's `prepare` may throw this, where the method does not take the curve.
+struct CurveRefused {};
+
+/// A method that has kernels, or solves other problems.
+class Code : public Method {
+ public:
+  Code(const Limits& limits, bool (*stop)()) : limits_(limits), stop_(stop) {}
+
+  [[nodiscard]] const suite::ExternalMethod& record() const final { return record_; }
+  /// Each curve is prepared, evaluated and destroyed in turn.
+  [[nodiscard]] Answer ask(const Batch& batch) const final;
+  [[nodiscard]] Limits limits() const final { return limits_; }
+
+ protected:
+  /// The answers to a batch of another problem; called in a child process.
+  virtual Status solve(const Batch& /*batch*/, std::vector<double>& /*numbers*/) const { return Status::refused; }
+
+  suite::ExternalMethod record_;
+  Limits limits_;
+  bool (*stop_)();
+
+ private:
+  [[nodiscard]] Status answer(const Batch& batch, std::vector<double>& numbers) const;
+};
+
+/// The status of a child that gave no answer.
+Answer failed(const Ended& ended);
 
 }  // namespace bezierbench::external

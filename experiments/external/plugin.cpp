@@ -17,7 +17,6 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/digest.hpp"
-#include "experiments/external/code.hpp"
 #include "experiments/external/method.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/number/bytes.hpp"
@@ -123,7 +122,7 @@ class Plugin final : public Code {
     record_.source = file.filename().string();
     record_.sha256 = bundle::sha256_hex(bundle::read_file(file));
     const auto refuse = [&](std::string_view what) {
-      throw Failure(Exit::usage, fmt::format("--plugin {}: {}; see docs/own_method.md", file.string(), echo(what)));
+      throw Failure(Exit::usage, "--plugin {}: {}; see docs/own_method.md", file.string(), echo(what));
     };
     const auto ended = describe();
     const auto description = description_in(ended);

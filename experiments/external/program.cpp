@@ -14,7 +14,6 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/digest.hpp"
-#include "experiments/external/code.hpp"
 #include "experiments/external/method.hpp"
 #include "experiments/failure.hpp"
 #include "reference/number/echo.hpp"
@@ -51,8 +50,8 @@ std::optional<Form> given_form(std::string_view word) {
   return std::nullopt;
 }
 
-/// Reads `ID [FORM [MIN_DEGREE MAX_DEGREE]] [PRECISION...] [PROBLEM...]` into the record. Returns what is wrong with the
-/// line, empty if nothing is.
+/// Reads `ID [FORM [MIN_DEGREE MAX_DEGREE]] [PRECISION...] [PROBLEM...]` into the record. Returns what is wrong with
+/// the line, empty if nothing is.
 std::string read_first_line(std::string_view line, suite::ExternalMethod& record) {
   const auto words = words_of(line);
   if (words.empty()) return "its first line is empty";
@@ -126,9 +125,9 @@ std::string digest_of_files(std::string_view command) {
   return lines.empty() ? std::string() : bundle::sha256_hex(lines);
 }
 
-/// What a program reads for a batch: a line `bezierbench-program 1 FORM DIMENSION DEGREE COUNT`, with precision and problem
-/// unless the program has only points in double, then a line for each input: what the problem gives, the coefficients point
-/// by point, then the weights.
+/// What a program reads for a batch: a line `bezierbench-program 1 FORM DIMENSION DEGREE COUNT`, with precision and
+/// problem unless the program has only points in double, then a line for each input: what the problem gives, the
+/// coefficients point by point, then the weights.
 std::string program_input(const suite::ExternalMethod& record, const Batch& batch) {
   auto text =
       fmt::format("bezierbench-program 1 {} {} {} {}", name(batch.form), batch.dimension, batch.degree, batch.count());
@@ -153,7 +152,7 @@ class Program final : public Method {
     record_.source = command;
     record_.sha256 = digest_of_files(command);
     const auto refuse = [&](std::string_view what) {
-      throw Failure(Exit::usage, fmt::format("--program {}: {}; see docs/own_method.md", echo(command), echo(what)));
+      throw Failure(Exit::usage, "--program {}: {}; see docs/own_method.md", echo(command), echo(what));
     };
     const auto ended = run(Batch(), to_describe(limits_));
     if (ended.end != End::exited || ended.code != 0) refuse(failed(ended).detail);

@@ -8,7 +8,7 @@
 #include "core/bound/amplification.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
-#include "experiments/suite/fault.hpp"
+#include "experiments/suite/validate.hpp"
 
 namespace bezierbench::judge {
 namespace {

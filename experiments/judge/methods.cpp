@@ -13,9 +13,9 @@
 #include "core/project/kernel.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/peers/peers.hpp"
-#include "experiments/suite/fault.hpp"
-#include "experiments/suite/names.hpp"
-#include "experiments/suite/pattern.hpp"
+#include "experiments/suite/ids.hpp"
+#include "experiments/suite/suite.hpp"
+#include "experiments/suite/validate.hpp"
 #include "reference/exact_point.hpp"
 
 namespace bezierbench::judge {

@@ -46,10 +46,10 @@ std::vector<double> single_coefficient(int single, Amplification kind, int degre
   return magnitudes;
 }
 
-/// At least the largest amplification / p~ over all members of the class. No curve has more than some curve with a single
-/// coefficient, because an amplification is at most the sum of those of the single coefficients, and a quotient of sums
-/// of positive terms is at most the largest quotient of two terms. Where magnitudes are counted from 0 those quotients
-/// ascend or descend in the index of the coefficient, so the first or the last is the largest.
+/// At least the largest amplification / p~ over all members of the class. No curve has more than some curve with a
+/// single coefficient, because an amplification is at most the sum of those of the single coefficients, and a quotient
+/// of sums of positive terms is at most the largest quotient of two terms. Where magnitudes are counted from 0 those
+/// quotients ascend or descend in the index of the coefficient, so the first or the last is the largest.
 double largest_quotient(Amplification kind, const CurveClass& of) {
   double largest = 1;
   const int step = anchor_of(kind) == Anchor::none ? std::max(of.degree, 1) : 1;

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: MIT
-// What the curves of a set are like: by form, dimension and degree, how large they are, how far from the origin, and how many
-// are degenerate.
+// SPDX-License-Identifier: MIT What the curves of a set are like: by form, dimension and degree, how large they are,
+// how far from the origin, and how many are degenerate.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +16,8 @@ struct CurveQuantiles {
   double largest;
 };
 
-/// The curves of one form, dimension and degree. All quantities are those of the coefficients; what follows `high` is that
-/// of control points, so it is empty (0 and NaN) for the power form.
+/// The curves of one form, dimension and degree. All quantities are those of the coefficients; what follows `high` is
+/// that of control points, so it is empty (0 and NaN) for the power form.
 struct CurveGroup {
   Form form;
   int dimension;

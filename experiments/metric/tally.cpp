@@ -130,14 +130,13 @@ double Tally::quantile(double q) const {
   const auto wanted = static_cast<std::uint64_t>(std::ceil(q * static_cast<double>(count())));
   std::uint64_t seen = zeros_;
   if (count() == 0 || seen >= wanted) return 0;
-  for (std::size_t k = 0; k < binades_.size(); ++k) {
+  for (std::size_t k = 0; k < binades_.size(); ++k)
     for (std::size_t bin = 0; bin < bins_per_binade; ++bin) {
       seen += binades_[k].bins[bin];
       if (seen < wanted) continue;
       const int exponent = first_exponent_ + static_cast<int>(k);
       return std::ldexp(static_cast<double>((1ULL << bin_bits) + bin), exponent - bin_bits - 1);
     }
-  }
   return std::numeric_limits<double>::infinity();
 }
 

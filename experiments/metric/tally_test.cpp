@@ -187,5 +187,4 @@ TEST(ErrorUnits, AreQuotientsTo24Bits) {
 }
 
 }  // namespace
-
 }  // namespace bezierbench::metric

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: MIT
-// What a kernel makes the processor do, counted by Valgrind's Callgrind: the same binary gives the same numbers on a
-// loaded machine and on any other one. A process under Callgrind counts rivals and writes a file for each; the process that
-// started it reads the files. Valgrind has no AVX-512, so that of kernels for several targets the AVX2 one is counted.
+// SPDX-License-Identifier: MIT What a kernel makes the processor do, counted by Valgrind's Callgrind: the same binary
+// gives the same numbers on a loaded machine and on any other one. A process under Callgrind counts rivals and writes a
+// file for each; the process that started it reads the files. Valgrind has no AVX-512, so that of kernels for several
+// targets the AVX2 one is counted.
 #pragma once
 
 #include <cstddef>

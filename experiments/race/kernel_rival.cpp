@@ -121,8 +121,8 @@ void one_shots(State<Scalar>& s) {
 constexpr std::size_t min_one_shots = 8;
 constexpr double max_one_shots_seconds = 4 * min_round_seconds;
 
-/// The time of one of the first inputs in mode one_shot: the fastest of three attempts, because a preemption may disturb
-/// one.
+/// The time of one of the first inputs in mode one_shot: the fastest of three attempts, because a preemption may
+/// disturb one.
 template <class Scalar>
 double one_shot_seconds(State<Scalar>& s) {
   PointByPoint<Scalar> points(s);

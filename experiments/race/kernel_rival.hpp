@@ -2,7 +2,6 @@
 // A kernel as a rival in one of the timing modes, over inputs that were drawn and judged beforehand.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "core/batch/batch.hpp"

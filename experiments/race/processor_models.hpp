@@ -1,10 +1,9 @@
-// SPDX-License-Identifier: MIT
-// The cycles of a point on processors that are not here, as llvm-mca predicts them from the machine code of a kernel and
-// from how often Callgrind saw each instruction of it.
+// SPDX-License-Identifier: MIT The cycles of a point on processors that are not here, as llvm-mca predicts them from
+// the machine code of a kernel and from how often Callgrind saw each instruction of it.
 //
-// llvm-mca simulates straight lines. A kernel is cut into blocks of instructions that follow each other in memory and ran
-// equally often; the cycles of a block count as often as it ran. The model leaves out caches, mispredicted branches,
-// fetching and decoding, and everything between two blocks: what one waits for in another, and what overlaps.
+// llvm-mca simulates straight lines. A kernel is cut into blocks of instructions that follow each other in memory and
+// ran equally often; the cycles of a block count as often as it ran. The model leaves out caches, mispredicted
+// branches, fetching and decoding, and everything between two blocks: what one waits for in another, and what overlaps.
 #pragma once
 
 #include <array>

@@ -32,8 +32,8 @@ constexpr const char* disassembly =
     "\taddsd\t%xmm0, %xmm1\n"
     "     206:      \tjne\t0x206 <kernel+0x6>\n     209:      \tretq\n     20a:      \tunknown\n";
 
-/// In place of LLVM's programs. An instruction takes half a cycle of throughput and four cycles, in later passes two; on
-/// the second processor all take twice as long.
+/// In place of LLVM's programs. An instruction takes half a cycle of throughput and four cycles, in later passes two;
+/// on the second processor all take twice as long.
 std::string answer(const std::vector<std::string>& command, const std::string& input) {
   if (command[0] == disassembler) {
     EXPECT_EQ(input, "--disassemble-symbols=_ZN11bezierbench4race3runEv,kernel\n");

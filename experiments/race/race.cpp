@@ -11,9 +11,8 @@
 
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/metric/order_statistics.hpp"
-#include "experiments/metric/verdict.hpp"
-#include "experiments/suite/names.hpp"
-#include "experiments/suite/pattern.hpp"
+#include "experiments/suite/ids.hpp"
+#include "experiments/suite/suite.hpp"
 
 namespace bezierbench::race {
 namespace {

@@ -2,18 +2,19 @@
 // A race: the methods of one cell of a timing study, in one scalar type and mode, are timed against each other and
 // against sentinels. All of them solve the same problem: evaluation or one companion problem.
 //
-// A race is run in repetitions, which are spread over the time of the whole suite. A repetition allocates its own memory
-// for results and prepared states, and has its own stack offset. Statistics of a time or a ratio are over repetitions.
+// A race is run in repetitions, which are spread over the time of the whole suite. A repetition allocates its own
+// memory for results and prepared states, and has its own stack offset. Statistics of a time or a ratio are over
+// repetitions.
 //
 // The rounds of one repetition share conditions (addresses of stack and data, speed of the processor) that differ
-// between repetitions. The spread of the rounds does not show that difference: an interval from all rounds, as if they
-// were independent, would become ever narrower around the conditions of one run. So each repetition is one observation:
-// its median over rounds, in which all rivals met the same conditions. Kalibera and Jones, Rigorous benchmarking in
-// reasonable time (ISMM 2013), section 4, say why to repeat the highest level that varies. Hurlbert, Pseudoreplication
-// and the design of ecological field experiments (Ecological Monographs 54, 1984, 187-211), says what becomes of
-// intervals if dependent observations count as independent. Mytkowicz, Diwan, Hauswirth and Sweeney, Producing wrong
-// data without doing anything obviously wrong (ASPLOS 2009), section 4, show that the address of the stack alone can
-// bias a time by more than the difference that is compared.
+// between repetitions. The spread of the rounds does not show that difference: an interval from all rounds, as if
+// they were independent, would become ever narrower around the conditions of one run. So each repetition is one
+// observation: its median over rounds, in which all rivals met the same conditions. Kalibera and Jones, Rigorous
+// benchmarking in reasonable time (ISMM 2013), section 4, say why to repeat the highest level that varies. Hurlbert,
+// Pseudoreplication and the design of ecological field experiments (Ecological Monographs 54, 1984, 187-211), says
+// what becomes of intervals if dependent observations count as independent. Mytkowicz, Diwan, Hauswirth and Sweeney,
+// Producing wrong data without doing anything obviously wrong (ASPLOS 2009), section 4, show that the address of the
+// stack alone can bias a time by more than the difference that is compared.
 #pragma once
 
 #include <cstddef>
@@ -29,9 +30,8 @@
 #include "core/method.hpp"
 #include "experiments/judge/case_axes.hpp"
 #include "experiments/race/counts.hpp"
-#include "experiments/race/operation_times.hpp"
+#include "experiments/race/limit.hpp"
 #include "experiments/race/rounds.hpp"
-#include "experiments/race/sentinel.hpp"
 #include "experiments/sample/cell.hpp"
 #include "experiments/suite/suite.hpp"
 

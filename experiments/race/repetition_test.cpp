@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "experiments/metric/order_statistics.hpp"
-#include "experiments/metric/verdict.hpp"
 #include "experiments/race/race.hpp"
 #include "experiments/sample/words.hpp"
 

@@ -3,6 +3,7 @@
 // of the machine therefore affects all rivals equally, and ratios are taken within rounds.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -67,5 +68,25 @@ struct RaceOptions {
 /// Runs the rounds as one Google Benchmark benchmark with manual time; the times are in the order of the rivals. Unless
 /// `max_seconds` or `stop` end it, every order of the rivals has occurred equally often.
 std::vector<RoundTimes> time_rounds(const std::string& name, std::span<const Rival> rivals, const RaceOptions& options);
+
+// Fixed work that runs beside every race: when it takes longer, the machine changed, not the methods.
+//
+// There are two sentinels, because a disturbance may slow only one of them. Another thread on the same core takes half
+// of its arithmetic units, but not the cycles in which a chain waits for its last result. The chain, x <- 1 - 1 x, is
+// bound by latency: every step waits for the one before, one product and one difference. The sweep is bound by
+// throughput: it does the same steps on many independent numbers, which take as long as the core needs to issue, load,
+// compute and store. Started from 1/4, x alternates between 3/4 and 1/4 without rounding, so that the results are
+// known.
+
+/// The name of the chain in timing.csv, which also states times in units of it.
+inline constexpr std::string_view sentinel_name = "sentinel";
+
+/// The chain as a rival; a point is one step.
+Rival chain_sentinel();
+/// The sweep; a point is one step of one number.
+Rival sweep_sentinel();
+
+/// Both sentinels in the order in which they end the list of rivals: the sweep, then the chain.
+std::array<Rival, 2> sentinels();
 
 }  // namespace bezierbench::race

@@ -7,8 +7,6 @@
 #include <map>
 #include <set>
 
-#include "experiments/race/sentinel.hpp"
-
 namespace bezierbench::race {
 namespace {
 
@@ -139,5 +137,4 @@ TEST(Sentinels, KnowTheirResults) {
 }
 
 }  // namespace
-
 }  // namespace bezierbench::race

@@ -18,7 +18,7 @@ std::atomic<bool> at_work = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may use it");
 
 std::string last_line = "bezierbench: interrupted; run the same command again\n";
-timer_t patience;  // ends the program that was to end by itself
+timer_t time_left;  // ends the program that was to end by itself
 
 extern "C" void end(int /*signal*/) {
   // A line that cannot be written is ignored.
@@ -30,7 +30,7 @@ extern "C" void end_or_remember(int signal) {
   if (!at_work.load(std::memory_order_relaxed)) end(signal);
   arrived.store(true, std::memory_order_relaxed);
   constexpr itimerspec most_of_a_second{.it_interval = {}, .it_value = {.tv_sec = 0, .tv_nsec = 700'000'000}};
-  ::timer_settime(patience, 0, &most_of_a_second, nullptr);
+  ::timer_settime(time_left, 0, &most_of_a_second, nullptr);
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ void watch_for_interruption() {
   sigemptyset(&action.sa_mask);
   action.sa_handler = end;
   sigaction(SIGALRM, &action, nullptr);
-  timer_create(CLOCK_MONOTONIC, nullptr, &patience);  // sends SIGALRM
+  timer_create(CLOCK_MONOTONIC, nullptr, &time_left);  // sends SIGALRM
   action.sa_handler = end_or_remember;
   action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
   sigaction(SIGINT, &action, nullptr);

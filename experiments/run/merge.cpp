@@ -9,14 +9,12 @@
 #include <tuple>
 
 #include "experiments/bundle/bundle.hpp"
-#include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/check/verify.hpp"
 #include "experiments/bundle/digest.hpp"
-#include "experiments/bundle/folder.hpp"
 #include "experiments/bundle/schema/columns.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/run/notes.hpp"
 #include "experiments/run/plan.hpp"
+#include "experiments/run/progress.hpp"
 #include "experiments/run/run.hpp"
 #include "experiments/run/run_folder.hpp"
 
@@ -26,15 +24,14 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
-  throw Failure(Exit::finding, fmt::format("{}: {}", path.string(), why));
+  throw Failure(Exit::finding, "{}: {}", path.string(), why);
 }
 
 /// One of the bundles, locked while it is read.
 struct Source {
   explicit Source(const fs::path& path) : folder(path) {
     if (!folder.is_begun())
-      throw Failure(Exit::input_output,
-                    fmt::format("{}: is not a bundle; give a folder that bezierbench run wrote", path.string()));
+      throw Failure(Exit::input_output, "{}: is not a bundle; give a folder that bezierbench run wrote", path.string());
     if (folder.has_blocks()) folder.lock_for_merge();
     machine_text = folder.directory().read_listed(machine_name);
     folder.read_blocks();

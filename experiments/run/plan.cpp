@@ -8,18 +8,17 @@
 #include <map>
 #include <utility>
 
-#include "experiments/bundle/check/few_lines.hpp"
+#include "experiments/bundle/check/verify.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/schema/columns.hpp"
 #include "experiments/suite/external.hpp"
-#include "experiments/suite/fault.hpp"
-#include "experiments/suite/pattern.hpp"
-#include "experiments/suite/text/writer.hpp"
+#include "experiments/suite/ids.hpp"
+#include "experiments/suite/text/reader.hpp"
+#include "experiments/suite/validate.hpp"
 #include "experiments/tables/choices.hpp"
-#include "experiments/tables/scorecard.hpp"
 #include "experiments/tables/table_row.hpp"
-#include "experiments/tables/timed_checks.hpp"
+#include "experiments/tables/tables.hpp"
 
 namespace bezierbench::run {
 namespace {
@@ -199,9 +198,10 @@ void tell_unasked(const RunRequest& request, const Plan& plan) {
     if (count == all) {
       std::vector<std::string> sentences;
       for (const auto& one : studies) sentences.push_back(sentence(one));
-      throw Failure(Exit::usage, fmt::format("{}: no study asks it, of {}; choose a suite with a study of its problem, "
-                                             "for its form of curves, degrees and precision",
-                                             method.id, fmt::join(sentences, ", of ")));
+      throw Failure(Exit::usage,
+                    "{}: no study asks it, of {}; choose a suite with a study of its problem, for its form of curves, "
+                    "degrees and precision",
+                    method.id, fmt::join(sentences, ", of "));
     }
     if (!request.quiet)
       for (const auto& one : studies) note(fmt::format("{}: is not asked in {}", method.id, sentence(one)));

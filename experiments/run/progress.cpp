@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "experiments/terminal.hpp"
+#include "reference/number/echo.hpp"
 
 namespace bezierbench::run {
 
@@ -149,6 +150,11 @@ std::string ending_line(const Outcome& outcome) {
     line += fmt::format(", {} times, the intervals of their ratios {:.2g} % wide in the median", outcome.times,
                         percent * outcome.ratio_width);
   return line;
+}
+
+void note(const std::string& line, std::string_view head) {
+  const auto shown = head.empty() ? std::string() : styled(STDERR_FILENO, fmt::fg(fmt::terminal_color::red), head);
+  std::fputs((shown + printable(line) + '\n').c_str(), stderr);
 }
 
 }  // namespace bezierbench::run

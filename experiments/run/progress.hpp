@@ -96,4 +96,8 @@ std::string progress_line(const ProgressView& view);
 /// median"; without cells where `outcome` has
 /// none.
 std::string ending_line(const Outcome& outcome);
+
+/// Writes one line, escaped by reference/number/echo.hpp. `head` is put before it, in colour on a terminal.
+void note(const std::string& line, std::string_view head = {});
+
 }  // namespace bezierbench::run

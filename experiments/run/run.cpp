@@ -14,7 +14,6 @@
 #include "experiments/run/blocks/parallel_ranges.hpp"
 #include "experiments/run/blocks/share.hpp"
 #include "experiments/run/interruption.hpp"
-#include "experiments/run/notes.hpp"
 #include "experiments/run/plan.hpp"
 #include "experiments/run/progress.hpp"
 #include "experiments/run/run_folder.hpp"

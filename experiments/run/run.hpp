@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From resolved suites to a bundle: plan, work in blocks over threads, write; and from the bundles of shards to that of the
-// whole run.
+// From resolved suites to a bundle: plan, work in blocks over threads, write; and from the bundles of shards to that
+// of the whole run.
 #pragma once
 
 #include <chrono>
@@ -15,7 +15,6 @@
 
 #include "experiments/bundle/machine.hpp"
 #include "experiments/run/job.hpp"
-#include "experiments/run/notes.hpp"
 #include "experiments/suite/external.hpp"
 #include "experiments/suite/suite.hpp"
 #include "reference/true_point.hpp"
@@ -91,8 +90,8 @@ struct RunRequest {
 /// another suite, seed or build, input_output when it cannot be written or another process does the same work there.
 Outcome run(const RunRequest& request);
 
-/// Calls Job::count() of every job, in a process that Callgrind runs. A job that fails, as an external method may, has no
-/// counts.
+/// Calls Job::count() of every job, in a process that Callgrind runs. A job that fails, as an external method may, has
+/// no counts.
 void count(const RunRequest& request);
 
 /// Joins partial bundles of the run that `request` describes into `request.out`, which may be one of them. The others

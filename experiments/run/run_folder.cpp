@@ -9,11 +9,11 @@
 #include <iterator>
 #include <thread>
 
-#include "experiments/bundle/folder.hpp"
+#include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/machine.hpp"
 #include "experiments/bundle/schema/columns.hpp"
 #include "experiments/run/interruption.hpp"
-#include "experiments/run/notes.hpp"
+#include "experiments/run/progress.hpp"
 
 namespace bezierbench::run {
 namespace {
@@ -66,7 +66,7 @@ void RunFolder::look() {
 
 void RunFolder::require_same(const RunRequest& request, const Plan& plan, const Refusal& refusal) const {
   const auto refuse = [&](const fs::path& path, const std::string& what) {
-    throw Failure(refusal.exit, fmt::format("{}: {}; {}", path.string(), what, refusal.advice));
+    throw Failure(refusal.exit, "{}: {}; {}", path.string(), what, refusal.advice);
   };
   if (is_begun())
     if (const auto why = difference(*manifest_, plan.manifest)) refuse(path_, fmt::format("holds results of {}", *why));
@@ -88,9 +88,9 @@ void RunFolder::require_same(const RunRequest& request, const Plan& plan, const 
 void RunFolder::claim(const std::string& name, bundle::Sharing sharing, const std::string& holder) {
   auto& lock = *locks_.emplace_back(std::make_unique<bundle::LockFile>(blocks() / name));
   if (!lock.try_lock(sharing))
-    throw Failure(Exit::input_output, fmt::format("{}: {} is at work there, on this machine or another; wait for it, "
-                                                  "stop it, or choose another --out",
-                                                  path_.string(), holder));
+    throw Failure(Exit::input_output,
+                  "{}: {} is at work there, on this machine or another; wait for it, stop it, or choose another --out",
+                  path_.string(), holder);
   if (lock.unsupported() && locks_.size() == 1)
     note(fmt::format("{}: this file system has no locks; see to it that no other run does the same work here",
                      path_.string()));
@@ -114,9 +114,8 @@ void RunFolder::lock_for_merge() {
 std::shared_ptr<void> RunFolder::lock_bundle() {
   while (!bundle_lock_->try_lock(bundle::Sharing::exclusive)) {
     if (interrupted())
-      throw Failure(
-          Exit::interrupted,
-          fmt::format("{}: interrupted while another shard wrote there; run the same command again", path_.string()));
+      throw Failure(Exit::interrupted, "{}: interrupted while another shard wrote there; run the same command again",
+                    path_.string());
     std::this_thread::sleep_for(patience);
   }
   return {bundle_lock_.get(), [](void* lock) { static_cast<bundle::LockFile*>(lock)->unlock(); }};
@@ -177,8 +176,8 @@ void RunFolder::refuse_foreign(const std::function<bool(const std::string&)>& is
     for (const auto& name : *names)
       if (!name.starts_with('.') && std::ranges::find(always, name) == always.end() && !is_own(name))
         throw Failure(Exit::input_output,
-                      fmt::format("{}: is not a file that this run writes; move it away, or choose another --out",
-                                  (path_ / name).string()));
+                      "{}: is not a file that this run writes; move it away, or choose another --out",
+                      (path_ / name).string());
 }
 
 void RunFolder::complete(const Plan& plan, const WholeBundle& whole) {
@@ -195,9 +194,8 @@ void RunFolder::complete(const Plan& plan, const WholeBundle& whole) {
 void RunFolder::require_equal(const WholeBundle& whole) const {
   for (const auto& [name, bytes] : whole.files)
     if (!directory_->has(name) || directory_->read(name) != bytes)
-      throw Failure(Exit::usage, fmt::format("{}: is complete already, with another {}; choose another --out or move "
-                                             "it away",
-                                             path_.string(), name));
+      throw Failure(Exit::usage, "{}: is complete already, with another {}; choose another --out or move it away",
+                    path_.string(), name);
 }
 
 }  // namespace bezierbench::run

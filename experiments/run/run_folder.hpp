@@ -69,8 +69,8 @@ class RunFolder {
   /// file that describes the bundle is damaged.
   void require_same(const RunRequest& request, const Plan& plan, const Refusal& refusal) const;
 
-  /// Makes the folder where it is absent, and takes the locks of a run, or of a shard of it. Throws Failure(input_output)
-  /// where another process does the same work, or where the folder holds something else.
+  /// Makes the folder where it is absent, and takes the locks of a run, or of a shard of it. Throws
+  /// Failure(input_output) where another process does the same work, or where the folder holds something else.
   void lock(const std::optional<Shard>& shard);
   /// Takes the lock of a merge. Throws as lock().
   void lock_for_merge();

@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "experiments/sample/words.hpp"
-#include "experiments/suite/fault.hpp"
 #include "experiments/suite/kind.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/suite.hpp"
+#include "experiments/suite/validate.hpp"
 
 namespace bezierbench::sample {
 namespace {

@@ -121,5 +121,4 @@ TEST(Thin, OnOneAxisIsWhole) {
 }
 
 }  // namespace
-
 }  // namespace bezierbench::sample

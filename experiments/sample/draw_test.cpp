@@ -15,7 +15,7 @@
 
 #include "experiments/failure.hpp"
 #include "experiments/sample/roster.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/suite.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::sample {

@@ -7,7 +7,7 @@
 
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/study_inputs.hpp"
-#include "experiments/suite/pattern.hpp"
+#include "experiments/suite/ids.hpp"
 
 namespace bezierbench::studies {
 

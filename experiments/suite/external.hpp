@@ -10,7 +10,7 @@
 
 #include "core/curve_view.hpp"
 #include "core/method.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/suite.hpp"
 
 namespace bezierbench::suite {
 

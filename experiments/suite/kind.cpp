@@ -5,11 +5,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "core/curve_view.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/ids.hpp"
+#include "experiments/suite/suite.hpp"
+#include "experiments/suite/text/toml_value.hpp"
+#include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::suite {
@@ -196,6 +200,27 @@ Finding check_asked(const Study& study, Problem problem, const Field& field, boo
 
 static_assert(max_degree == 1023 && most_replicates == 1000000, "the meanings of degree and replicates state them");
 
+template <class T>
+bool says_nothing(const T& value) {
+  if constexpr (requires { value.empty(); })
+    return value.empty();
+  else if constexpr (std::is_same_v<T, std::int64_t>)
+    return value == 0;
+  else if constexpr (std::is_same_v<T, Counting>)
+    return value == Counting::none;
+  else
+    return false;
+}
+
+template <class T>
+std::size_t count(const T& /*value*/) {
+  return 1;
+}
+template <class T>
+std::size_t count(const std::vector<T>& values) {
+  return values.empty() ? 1 : values.size();
+}
+
 }  // namespace
 
 const Kind& kind_of(const Study& study) {
@@ -262,6 +287,63 @@ Finding check_timed(const Study& study, const Kind& judged, std::span<const Know
     if (field->key == "degree" || field->axis == Axis::of_cases)
       if (auto found = check_asked(study, problem, *field, sweeps(judged, field->key))) return found;
   return std::nullopt;
+}
+
+bool is_empty(const Field& field, const Study& study) {
+  return std::visit([](const auto* value) { return says_nothing(*value); }, field.value(study));
+}
+
+std::size_t sweep_length(const Field& field, const Study& study) {
+  if (field.axis == Axis::none) return 1;
+  return std::visit([](const auto* value) { return count(*value); }, field.value(study));
+}
+
+std::string to_text(const Field& field, const Study& study) {
+  if (is_empty(field, study)) return {};  // a key left out does not apply, or means all methods that apply
+  return std::visit([](const auto* value) { return to_text(*value); }, field.value(study));
+}
+
+Finding check_orders(const std::vector<int>& order) {
+  return each("order", order, [](int value) {
+    return value >= 0 && value <= max_degree ? "" : fmt::format("order must be 0 to {}", max_degree);
+  });
+}
+
+Finding check_points(const std::vector<int>& points) {
+  return each("points", points, [](int value) {
+    return value >= 2 && value <= most_points ? "" : fmt::format("points must be 2 to {}", most_points);
+  });
+}
+
+Finding check_grid_points(const std::vector<int>& points) {
+  return each("points", points, [](int value) {
+    const bool right = value >= 2 && value <= most_grid_points && std::has_single_bit(static_cast<unsigned>(value - 1));
+    return right ? "" : fmt::format("points of a grid must be a power of two and one, 2 to {}", most_grid_points);
+  });
+}
+
+Finding check_tolerances(const std::vector<double>& tolerance) {
+  return each("tolerance", tolerance, [](double value) {
+    return std::string(std::isfinite(value) && value > 0 ? "" : "tolerance must be finite and above 0");
+  });
+}
+
+Finding check_budget(std::string_view kind, std::int64_t budget) {
+  if (budget >= 1) return std::nullopt;
+  return Fault{
+      "budget",
+      0,
+      {},
+      fmt::format("kind \"{}\" needs a budget of at least 1, how many inputs it may try; write budget = 20000", kind)};
+}
+
+Finding check_published(const std::string& published, const Vocabulary& known) {
+  if (published.empty() || std::ranges::count(known.published_files, published) > 0) return std::nullopt;
+  return Fault{
+      "published",
+      0,
+      {},
+      fmt::format("unknown published \"{}\"{}", echo(published), suggestion(published, known.published_files))};
 }
 
 }  // namespace bezierbench::suite

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "experiments/suite/text/reader.hpp"
-#include "experiments/suite/text/writer.hpp"
 #include "experiments/suite/vocabulary_test.hpp"
 
 namespace bezierbench::suite {
@@ -24,7 +23,8 @@ std::string example_of(const Kind& kind, const Field& field) {
   return std::string(field.key == "methods" ? kind.methods_example : field.example);
 }
 
-/// A study with the keys that its kind requires, followed by `more`. A required key that is in `more` is written only there.
+/// A study with the keys that its kind requires, followed by `more`. A required key that is in `more` is written only
+/// there.
 std::string study_of(const Kind& kind, const std::string& more = {}) {
   std::string text = head;
   for (const Field* field : fields_of(kind)) {

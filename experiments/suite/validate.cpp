@@ -12,10 +12,9 @@
 
 #include "core/curve_view.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/suite/ids.hpp"
 #include "experiments/suite/kind.hpp"
-#include "experiments/suite/names.hpp"
-#include "experiments/suite/nearest.hpp"
-#include "experiments/suite/pattern.hpp"
+#include "experiments/suite/suite.hpp"
 #include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 
@@ -62,12 +61,10 @@ Finding check_axes(const Study& study) {
 Finding check_counts(const Study& study) {
   if (study.trials < 1) return Fault{"trials", 0, {}, "trials must be at least 1"};
   if (study.replicates < 1) return Fault{"replicates", 0, {}, "replicates must be at least 1"};
-  if (study.replicates > most_replicates) {
+  if (study.replicates > most_replicates)
     return Fault{"replicates", 0, {}, fmt::format("replicates must be at most {}, for each is kept", most_replicates)};
-  }
-  if (study.trials > std::numeric_limits<std::int64_t>::max() / study.replicates) {
+  if (study.trials > std::numeric_limits<std::int64_t>::max() / study.replicates)
     return Fault{"replicates", 0, "trials", "trials * replicates must be below 2^63; lower one of them"};
-  }
   return std::nullopt;
 }
 
@@ -96,9 +93,8 @@ std::string weights_problem(const Study& study, const KnownGenerator& generator,
   const bool rational = study.form == Form::rational;
   if (rational == generator.limits.weights) return {};
   std::vector<std::string> others;
-  for (const auto& other : known.generators) {
+  for (const auto& other : known.generators)
     if (other.limits.weights == rational) others.push_back(other.id);
-  }
   return fmt::format("generator \"{}\" draws {}weights, which {}; use {}", generator.id, rational ? "no " : "",
                      rational ? "rational curves need" : "only rational curves have", fmt::join(others, ", "));
 }
@@ -119,54 +115,43 @@ std::string range_problem(const KnownGenerator& generator, double range) {
 Finding check_generator(const Study& study, std::size_t i, const Vocabulary& known) {
   const KnownGenerator& generator = *find_generator(known, study.generator[i]);
   const GeneratorLimits& limits = generator.limits;
-  if (std::string what = weights_problem(study, generator, known); !what.empty()) {
+  if (std::string what = weights_problem(study, generator, known); !what.empty())
     return Fault{"generator", i, "curve", std::move(what)};
-  }
   const int largest = study.form == Form::power ? limits.polynomial_degree : limits.bezier_degree;
-  for (std::size_t k = 0; k < study.degree.size(); ++k) {
-    if (study.degree[k] > largest) {
+  for (std::size_t k = 0; k < study.degree.size(); ++k)
+    if (study.degree[k] > largest)
       return Fault{
           "degree", k, "generator",
           fmt::format("generator \"{}\" draws curves in {} form up to degree {} only, where their coefficients are "
                       "exact; lower the degree or change the generator",
                       generator.id, name(study.form), largest)};
-    }
-  }
-  for (std::size_t k = 0; k < study.coordinate_range.size(); ++k) {
-    if (std::string what = range_problem(generator, study.coordinate_range[k]); !what.empty()) {
+  for (std::size_t k = 0; k < study.coordinate_range.size(); ++k)
+    if (std::string what = range_problem(generator, study.coordinate_range[k]); !what.empty())
       return Fault{"coordinate_range", k, "generator", std::move(what)};
-    }
-  }
-  for (std::size_t k = 0; k < study.t_interval.size(); ++k) {
-    if (limits.finite_width && !std::isfinite(study.t_interval[k].max - study.t_interval[k].min)) {
+  for (std::size_t k = 0; k < study.t_interval.size(); ++k)
+    if (limits.finite_width && !std::isfinite(study.t_interval[k].max - study.t_interval[k].min))
       return Fault{"t_interval", k, "generator",
                    fmt::format("generator \"{}\" needs t_max - t_min to be finite; narrow the interval", generator.id)};
-    }
-  }
-  for (std::size_t k = 0; k < study.scalar.size(); ++k) {
-    if (limits.exact_coefficients && study.scalar[k] != ScalarKind::float64) {
+  for (std::size_t k = 0; k < study.scalar.size(); ++k)
+    if (limits.exact_coefficients && study.scalar[k] != ScalarKind::float64)
       return Fault{"scalar", k, "generator",
                    fmt::format("generator \"{}\" draws coefficients that are exact in double only; leave scalar out "
                                "or change the generator",
                                generator.id)};
-    }
-  }
   return std::nullopt;
 }
 
 /// The first fault of values that are valid on their own but do not fit each other.
 Finding check_fit(const Study& study, const Vocabulary& known) {
-  for (std::size_t i = 0; i < study.generator.size(); ++i) {
+  for (std::size_t i = 0; i < study.generator.size(); ++i)
     if (auto found = check_generator(study, i, known)) return found;
-  }
   const bool single = std::find(study.scalar.begin(), study.scalar.end(), ScalarKind::float32) != study.scalar.end();
   for (std::size_t i = 0; i < study.coordinate_range.size(); ++i) {
     const double range = study.coordinate_range[i];
-    if (single && range > static_cast<double>(std::numeric_limits<float>::max())) {
+    if (single && range > static_cast<double>(std::numeric_limits<float>::max()))
       return Fault{"coordinate_range", i, "scalar",
                    fmt::format("coordinate_range {} is beyond the largest float; change the range or the scalar",
                                number::decimal(range))};
-    }
   }
   return std::nullopt;
 }
@@ -201,11 +186,9 @@ std::string method_problem(const Study& study, std::string_view entry, const Voc
 }
 
 Finding check_ids(const Study& study, const Vocabulary& known) {
-  for (std::size_t i = 0; i < study.generator.size(); ++i) {
-    if (find_generator(known, study.generator[i]) == nullptr) {
+  for (std::size_t i = 0; i < study.generator.size(); ++i)
+    if (find_generator(known, study.generator[i]) == nullptr)
       return unknown("generator", i, study.generator[i], generator_ids(known));
-    }
-  }
   std::vector<std::string> baselines{"exact"};
   const auto& ids = kind_of(study).chains ? known.conversions : known.methods;
   baselines.insert(baselines.end(), ids.begin(), ids.end());
@@ -290,6 +273,11 @@ Finding check_baseline(const Study& study) {
                fmt::format("kind \"{}\" measures against the exact value only; remove baseline", kind.id)};
 }
 
+Position position_of(const KeyPlace& place, std::size_t index) {
+  if (index == Fault::key_itself) return place.key;
+  return index < place.elements.size() ? place.elements[index] : place.value;
+}
+
 }  // namespace
 
 Finding validate(const Study& study, const Vocabulary& known) {
@@ -327,19 +315,34 @@ void check_unique_ids(std::span<const Suite> suites, std::string_view last_file)
   std::set<std::string_view> ids;
   std::map<std::string_view, std::string_view> suite_of;
   for (const Suite& suite : suites) {
-    if (!ids.insert(suite.id).second) {
-      throw Failure(Exit::usage,
-                    fmt::format("{}: another suite has the id \"{}\" too; rename one", last_file, suite.id));
-    }
+    if (!ids.insert(suite.id).second)
+      throw Failure(Exit::usage, "{}: another suite has the id \"{}\" too; rename one", last_file, suite.id);
     for (const Study& study : suite.studies) {
       const auto [first, is_new] = suite_of.emplace(study.id, suite.id);
       if (is_new) continue;
-      throw Failure(Exit::usage,
-                    fmt::format("{}: study \"{}\" is in suite \"{}\" and in suite \"{}\"; rename one, study "
-                                "ids are unique over a bundle",
-                                last_file, study.id, first->second, suite.id));
+      throw Failure(
+          Exit::usage,
+          "{}: study \"{}\" is in suite \"{}\" and in suite \"{}\"; rename one, study ids are unique over a bundle",
+          last_file, study.id, first->second, suite.id);
     }
   }
+}
+
+std::string place_of(const Study& study, const Fault& fault) {
+  const Places& places = study.places;
+  for (const std::string_view key : {fault.key, fault.other_key})
+    if (const auto option = places.options.find(key); option != places.options.end()) return option->second;
+  if (places.file.empty()) return {};
+  Position at = places.header;
+  if (const auto other = places.keys.find(fault.other_key); other != places.keys.end()) at = other->second.value;
+  if (const auto own = places.keys.find(fault.key); own != places.keys.end())
+    at = position_of(own->second, fault.index);
+  return fmt::format("{}:{}:{}", places.file, at.line, at.column);
+}
+
+void refuse(const Study& study, const Fault& fault) {
+  const std::string place = place_of(study, fault);
+  throw Failure(Exit::usage, "{}{}study \"{}\": {}", place, place.empty() ? "" : ": ", echo(study.id), fault.what);
 }
 
 }  // namespace bezierbench::suite

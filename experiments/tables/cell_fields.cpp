@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "experiments/sample/curve_slice.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/suite.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::tables {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <utility>
 
 #include "experiments/metric/pareto.hpp"
 #include "experiments/tables/cell_fields.hpp"
@@ -12,8 +11,8 @@
 namespace bezierbench::tables {
 namespace {
 
-/// Form, scalar, dimension and degree of the curves that a row is about, and their set and placement; these are empty for
-/// drawn curves.
+/// Form, scalar, dimension and degree of the curves that a row is about, and their set and placement; these are empty
+/// for drawn curves.
 using CurveKind = std::vector<std::string>;
 
 std::string set_of(const std::string& curves, const std::string& placement) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "experiments/metric/order_statistics.hpp"
-#include "experiments/tables/judged_tables.hpp"
+#include "experiments/tables/table_row.hpp"
 #include "experiments/tables/tables.hpp"
 
 namespace bezierbench::tables {
@@ -58,8 +58,8 @@ struct ChoiceGroup {
   std::vector<Choice> choices;
 };
 
-/// All groups, in the order of the rows of timing.csv, with the methods that were timed and without their errors. Throws
-/// Failure(input_output) for a table without a required column.
+/// All groups, in the order of the rows of timing.csv, with the methods that were timed and without their errors.
+/// Throws Failure(input_output) for a table without a required column.
 std::vector<ChoiceGroup> timed_groups(const std::vector<TableRow>& timing);
 
 /// All groups with errors. Of several accuracy studies of the same kind of curves, the one that judged most of the

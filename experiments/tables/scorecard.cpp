@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/tables/scorecard.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +9,8 @@
 
 #include "experiments/metric/order_statistics.hpp"
 #include "experiments/suite/kind.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/suite.hpp"
+#include "experiments/tables/tables.hpp"
 #include "reference/number/number.hpp"
 #include "reference/published/published.hpp"
 
@@ -112,8 +111,8 @@ Row row_of(std::string_view file, const PrintedCell& cell) {
 
 Row& set_not_in_suite(Row& row) { return row.set("verdict", "outside").set("note", "not in this suite"); }
 
-/// An edge of the band, a quantile of the repetitions, and the values between which the quantile of the experiment lies;
-/// infinite where the repetitions are too few to say.
+/// An edge of the band, a quantile of the repetitions, and the values between which the quantile of the experiment
+/// lies; infinite where the repetitions are too few to say.
 struct Edge {
   double value, low, high;
 };

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/tables/scorecard.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
-#include <numeric>
 #include <set>
 
+#include "experiments/tables/tables.hpp"
 #include "reference/number/number.hpp"
 #include "reference/published/published.hpp"
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// One row of a table, field by field, whether the table was read from a file or is about to be written.
+// One row of a table, field by field, whether the table was read from a file or is about to be written; and the rows
+// with the errors of methods.
 #pragma once
 
-#include <fmt/format.h>
-
+#include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "experiments/bundle/csv.hpp"
@@ -24,8 +24,8 @@ class TableRow {
   explicit TableRow(const Row& row) : made_(&row) {}
 
   [[nodiscard]] bool has(std::string_view column) const { return made_ != nullptr || read_->has_column(column); }
-  /// A field as it is: a text where the table was read. Throws Failure(input_output) for a column that the file does not
-  /// have, std::logic_error for one that the schema does not declare.
+  /// A field as it is: a text where the table was read. Throws Failure(input_output) for a column that the file does
+  /// not have, std::logic_error for one that the schema does not declare.
   [[nodiscard]] Field field(std::string_view column) const {
     return made_ != nullptr ? made_->field(column) : tables::field(read_->at(number_, column));
   }
@@ -44,8 +44,8 @@ class TableRow {
       return integer != nullptr ? static_cast<double>(*integer) : std::get<double>(field);
     }
     if (const auto value = number::parse_number(read_->at(number_, column))) return *value;
-    throw Failure(Exit::input_output, fmt::format("{}:{}: {} is not a number; run the suite again", read_->file_name(),
-                                                  read_->line(number_), column));
+    throw Failure(Exit::input_output, "{}:{}: {} is not a number; run the suite again", read_->file_name(),
+                  read_->line(number_), column);
   }
   /// The number in a field; empty for an empty field, and for a column that an older program did not write.
   [[nodiscard]] std::optional<double> optional_number(std::string_view column) const {
@@ -59,6 +59,12 @@ class TableRow {
   const Row* made_ = nullptr;
 };
 
+/// The texts of these values, as the fields of a table have them.
+template <class... Values>
+std::vector<std::string> texts(const Values&... values) {
+  return {text(field(values))...};
+}
+
 inline std::vector<TableRow> rows_of(const bundle::CsvDocument& table) {
   std::vector<TableRow> rows;
   for (std::size_t row = 0; row < table.row_count(); ++row) rows.emplace_back(table, row);
@@ -66,5 +72,38 @@ inline std::vector<TableRow> rows_of(const bundle::CsvDocument& table) {
 }
 
 inline std::vector<TableRow> rows_of(const Table& table) { return {table.rows().begin(), table.rows().end()}; }
+
+class JudgedTables {
+ public:
+  /// Of accuracy.csv and unstable.csv, as far as a bundle has them.
+  explicit JudgedTables(std::vector<bundle::CsvDocument> read) : read_(std::move(read)) {}
+  /// Of a run, whose tables must outlive it.
+  explicit JudgedTables(const Tables& made) : made_(&made) {}
+
+  /// Calls `visit` for every row with errors against the truth; only for those of `study`, if that is not empty. Throws
+  /// Failure(input_output) for a table without a required column.
+  void each_row(const std::string& study, const std::function<void(const TableRow&)>& visit) const {
+    const auto visit_judged = [&](const std::vector<TableRow>& rows) {
+      for (const TableRow& row : rows)
+        if (row.text("baseline") == "exact" && row.text("status") == "ok" &&
+            (study.empty() || row.text("study") == study))
+          visit(row);
+    };
+    for (const auto& table : read_) visit_judged(rows_of(table));
+    if (made_ == nullptr) return;
+    for (const auto* file : {"accuracy.csv", "unstable.csv"})
+      if (const auto* table = made_->find(file)) visit_judged(rows_of(*table));
+  }
+
+ private:
+  std::vector<bundle::CsvDocument> read_;
+  const Tables* made_ = nullptr;
+};
+
+/// The field of a row in `column`, `bound_u` or `max_bound`. Empty where a trial of the row has no bound, since the
+/// field then covers only the others.
+inline std::optional<double> bound(const TableRow& row, std::string_view column) {
+  return row.optional_number("unbounded_trials") == 0 ? row.optional_number(column) : std::nullopt;
+}
 
 }  // namespace bezierbench::tables

@@ -2,19 +2,53 @@
 // The tables of a bundle while they are filled, and the series that the scorecard compares with printed cells.
 #pragma once
 
+#include <compare>
+#include <concepts>
+#include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
-#include "experiments/bundle/check/method_digest.hpp"
 #include "experiments/bundle/csv.hpp"
+#include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/schema/columns.hpp"
 #include "experiments/suite/suite.hpp"
-#include "experiments/tables/field.hpp"
 
 namespace bezierbench::tables {
+
+/// A number that is written in hexadecimal floating point, which keeps all bits.
+struct Hexadecimal {
+  double value;
+  friend auto operator<=>(const Hexadecimal&, const Hexadecimal&) = default;
+};
+
+/// Nothing, a text, or a number.
+using Field = std::variant<std::monostate, std::string, double, std::int64_t, Hexadecimal>;
+
+/// The field of a text, a number, an optional one, or a field itself. No number and the empty text give the empty
+/// field.
+template <class Value>
+Field field(const Value& value) {
+  if constexpr (std::convertible_to<const Value&, std::string_view>) {
+    const std::string_view text = value;
+    return text.empty() ? Field() : Field(std::string(text));
+  } else if constexpr (std::integral<Value>) {
+    return static_cast<std::int64_t>(value);
+  } else if constexpr (std::floating_point<Value>) {
+    return static_cast<double>(value);
+  } else if constexpr (requires { value.has_value(); }) {
+    return value ? field(*value) : Field();
+  } else {
+    return value;
+  }
+}
+
+/// The field as it stands in a file: doubles as the shortest decimals that give them back.
+std::string text(const Field& field);
 
 /// A row of a table, with one field for each column that the schema declares. Fields are set in any order; those that
 /// are not set are empty.
@@ -106,5 +140,14 @@ struct Series {
   std::string mode;      ///< of a timing; empty otherwise
   std::vector<double> values;
 };
+
+/// Appends to `scorecard.csv` and `scorecard_timing.csv` one row per printed cell of the tables that these studies
+/// reproduce. A study reproduces table X of its `published` file when its id is X or starts with "X-"; the first entry
+/// of its `generator` and of its `baseline` are the report's own.
+void write_scorecards(std::span<const suite::Study> studies, std::span<const Series> series, Tables& tables);
+
+/// Completes the rows of `timing.csv` that have `max_error_u`, from all accuracy studies in the other tables:
+/// `allowed_error_u` by metric::allowed_error_u(), and `checked` is `no` where it is exceeded.
+void check_timed_errors(Tables& tables);
 
 }  // namespace bezierbench::tables

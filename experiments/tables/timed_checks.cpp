@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/tables/timed_checks.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <vector>
 
-#include "experiments/metric/observed_error.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/metric/error_units.hpp"
+#include "experiments/suite/suite.hpp"
 #include "experiments/tables/cell_fields.hpp"
-#include "experiments/tables/judged_tables.hpp"
+#include "experiments/tables/table_row.hpp"
+#include "experiments/tables/tables.hpp"
 #include "reference/error/trial_scale.hpp"
 
 namespace bezierbench::tables {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/tables/timed_checks.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <optional>
 
-#include "experiments/metric/observed_error.hpp"
+#include "experiments/metric/error_units.hpp"
+#include "experiments/tables/tables.hpp"
 
 namespace bezierbench::tables {
 namespace {

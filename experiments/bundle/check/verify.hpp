@@ -2,11 +2,19 @@
 // Checks that a bundle is intact and consistent.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
+
+#include "experiments/bundle/csv.hpp"
 
 namespace bezierbench::bundle {
 
@@ -31,5 +39,43 @@ using SuiteReader = std::function<Expected(const std::string& text, const std::s
 /// Blocks beside a complete bundle are a finding, unless other runs may be at work there: those tidy up in turn.
 [[nodiscard]] std::vector<std::string> verify(const std::filesystem::path& path, const SuiteReader& read_suites,
                                               bool beside_other_runs = false);
+
+/// The citation that methods.csv has for methods from outside of the program.
+inline constexpr std::string_view external_citation = "external method";
+
+/// What methods.csv states of methods.
+struct MethodFacts {
+  std::set<std::string, std::less<>> promising;  ///< with a bound or a promise
+  std::set<std::string, std::less<>> external;
+};
+[[nodiscard]] MethodFacts method_facts(const CsvDocument& methods_csv);
+
+/// The lines that tell which rows of the table `file` accuse a method, for example of broken promises.
+[[nodiscard]] std::vector<std::string> row_faults(const std::string& file, const CsvDocument& table,
+                                                  const MethodFacts& methods);
+
+/// The first few findings of one kind, and how many more there are: a hostile table can have as many as it has fields.
+class FewLines {
+ public:
+  /// `place` begins the line that counts the findings left out.
+  explicit FewLines(std::string place) : place_(std::move(place)) {}
+
+  void add(std::string line) {
+    if (++count_ <= most_) lines_.push_back(std::move(line));
+  }
+
+  /// Returns all lines and forgets them.
+  std::vector<std::string> take() {
+    if (count_ > most_) lines_.push_back(fmt::format("{}: {} more of that kind", place_, count_ - most_));
+    count_ = 0;
+    return std::exchange(lines_, {});
+  }
+
+ private:
+  static constexpr std::size_t most_ = 5;
+  std::string place_;
+  std::size_t count_ = 0;
+  std::vector<std::string> lines_;
+};
 
 }  // namespace bezierbench::bundle

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "experiments/bundle/scratch_folder_test.hpp"
-#include "experiments/bundle/small_bundle_test.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::bundle {
@@ -214,6 +213,21 @@ TEST_F(Verify, PipesAndLinks) {
 }
 
 TEST_F(Verify, NoFolder) { EXPECT_THROW((void)verify(folder_.path() / "absent", expected), Failure); }
+
+std::vector<std::string> faults(const std::string& file, const std::string& text) {
+  return row_faults(file, parse_csv(text, file), {.promising = {"a"}, .external = {"own"}});
+}
+
+TEST(RowRules, BrokenPromisesAccuseEverywhereAndMissedFeetThoseThatPromise) {
+  for (const char* file :
+       {"projection.csv", "arc_length.csv", "inverse_arc_length.csv", "fitting.csv", "subdivision.csv"})
+    EXPECT_THAT(faults(file, "method,broken_promises\na,2\nb,0\n"),
+                ElementsAre(std::string(file) + ":2: 2 broken promises"));
+  EXPECT_THAT(faults("projection.csv", "method,missed\na,1\nown,1\nb,1\n"),
+              ElementsAre("projection.csv:2: 1 missed foot points"));
+  EXPECT_THAT(faults("timing.csv", "method,checked\na,yes\nb,no\nown,no\n"),
+              ElementsAre("timing.csv:4: what was timed did not give what was judged"));
+}
 
 }  // namespace
 }  // namespace bezierbench::bundle

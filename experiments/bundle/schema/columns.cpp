@@ -2,7 +2,6 @@
 #include "experiments/bundle/schema/columns.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "tables_schema.hpp"

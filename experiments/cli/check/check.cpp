@@ -12,25 +12,20 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/bundle.hpp"
-#include "experiments/cli/check/programs.hpp"
 #include "experiments/cli/check/report.hpp"
 #include "experiments/cli/commands/commands.hpp"
-#include "experiments/cli/commands/gate_options.hpp"
+#include "experiments/cli/commands/comparison_text.hpp"
 #include "experiments/cli/external/external_options.hpp"
 #include "experiments/cli/startup/callgrind.hpp"
-#include "experiments/cli/startup/curve_sets.hpp"
-#include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/cli/startup/this_build.hpp"
-#include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/cli/terminal/text.hpp"
 #include "experiments/race/race.hpp"
 #include "experiments/studies/external/external.hpp"
 #include "experiments/studies/roster.hpp"
+#include "experiments/suite/ids.hpp"
 #include "experiments/suite/kind.hpp"
-#include "experiments/suite/nearest.hpp"
-#include "experiments/suite/pattern.hpp"
 #include "experiments/suite/text/reader.hpp"
-#include "experiments/suite/text/writer.hpp"
 #include "reference/number/echo.hpp"
 
 namespace bezierbench::cli {
@@ -106,17 +101,16 @@ Checked find_method(const std::string& id, const ExternalOptions& external) {
     const auto* method = external::find(checked.external, id);
     if (method == nullptr)
       throw Failure(Exit::usage,
-                    fmt::format("{}: is external and was not given; give it with --plugin or --program, or "
-                                "check it with the program that has it compiled in",
-                                echo(id)));
+                    "{}: is external and was not given; give it with --plugin or --program, or check it with the "
+                    "program that has it compiled in",
+                    echo(id));
     checked.record = &method->record();
     return checked;
   }
   std::vector<std::string> known;
   for (const auto* info : every_method()) known.emplace_back(info->id);
   if (std::ranges::find(known, id) == known.end())
-    throw Failure(Exit::usage,
-                  fmt::format("{}: no such method{}; see `list methods`", echo(id), suite::suggestion(id, known)));
+    throw Failure(Exit::usage, "{}: no such method{}; see `list methods`", echo(id), suite::suggestion(id, known));
   return checked;
 }
 
@@ -144,10 +138,9 @@ class Workplace {
  public:
   explicit Workplace(const std::optional<std::string>& out) {
     std::string name = out ? *out : (fs::temp_directory_path() / "bezierbench-check-XXXXXX").string();
-    if (out && fs::exists(name))
-      throw Failure(Exit::usage, fmt::format("--out {}: exists; choose another folder", name));
+    if (out && fs::exists(name)) throw Failure(Exit::usage, "--out {}: exists; choose another folder", name);
     if (out ? !fs::create_directories(name) : mkdtemp(name.data()) == nullptr)
-      throw Failure(Exit::input_output, fmt::format("{}: cannot be created; see --out", name));
+      throw Failure(Exit::input_output, "{}: cannot be created; see --out", name);
     folder = name;
   }
   Workplace(const Workplace&) = delete;

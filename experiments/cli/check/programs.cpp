@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/cli/check/programs.hpp"
-
 #include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,8 +10,8 @@
 #include <system_error>
 
 #include "experiments/bundle/bundle.hpp"
-#include "experiments/cli/startup/diagnostics.hpp"
-#include "experiments/cli/terminal/shell_word.hpp"
+#include "experiments/cli/check/report.hpp"
+#include "experiments/cli/terminal/text.hpp"
 #include "experiments/compare/side.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/run/interruption.hpp"
@@ -66,8 +64,8 @@ Against build(const std::string& id, const std::string& repository, bool quiet) 
   std::error_code error;
   fs::create_directories(folder.parent_path(), error);
   if (error)
-    throw Failure(Exit::input_output, fmt::format("{}: cannot be created: {}; set XDG_CACHE_HOME to another folder",
-                                                  folder.parent_path().string(), error.message()));
+    throw Failure(Exit::input_output, "{}: cannot be created: {}; set XDG_CACHE_HOME to another folder",
+                  folder.parent_path().string(), error.message());
   if (!quiet)
     say(fmt::format("builds {} in {}, output in {}; the first build may take an hour", name, folder.string(), log));
   const auto steps = fmt::format(
@@ -77,8 +75,7 @@ Against build(const std::string& id, const std::string& repository, bool quiet) 
       "cmake --preset release -DBEZIERBENCH_TESTS=OFF; cmake --build build/release --target bezierbench\n",
       fmt::arg("log", shell_word(log)), fmt::arg("folder", shell_word(folder.string())),
       fmt::arg("repository", shell_word(repository)), fmt::arg("id", id));
-  if (run_line(steps).code != 0)
-    throw Failure(Exit::environment, fmt::format("{}: cannot be built; see {}", name, log));
+  if (run_line(steps).code != 0) throw Failure(Exit::environment, "{}: cannot be built; see {}", name, log);
   return {.is_bundle = false, .name = name, .program = {folder / "build/release/bezierbench"}};
 }
 
@@ -98,9 +95,10 @@ Against find_against(const std::string& word, const TestedProgram& now, const su
   const auto repository = git("rev-parse --show-toplevel");
   const auto commit = word.starts_with('-') ? "" : git("rev-parse --verify --quiet " + shell_word(word + "^{commit}"));
   if (repository.empty() || commit.empty())
-    throw Failure(Exit::usage, fmt::format("--against {}: is not a file, a folder or a commit of the repository here; "
-                                           "name a program, a bundle or a commit",
-                                           echo(word)));
+    throw Failure(Exit::usage,
+                  "--against {}: is not a file, a folder or a commit of the repository here; name a program, a bundle "
+                  "or a commit",
+                  echo(word));
   auto against = build(commit, repository, quiet);
   against.program.arguments = now.arguments;
   return against;
@@ -110,17 +108,16 @@ void run_suite(const TestedProgram& program, const fs::path& suite, const fs::pa
                std::vector<std::string> more) {
   const auto& path = program.path;
   if (access(path.c_str(), X_OK) != 0)
-    throw Failure(Exit::usage,
-                  fmt::format("{}: cannot be started; name a bezierbench, a bundle or a commit", path.string()));
+    throw Failure(Exit::usage, "{}: cannot be started; name a bezierbench, a bundle or a commit", path.string());
   more.insert(more.end(), program.arguments.begin(), program.arguments.end());
   auto line = fmt::format("exec {} run {} --out {} --quiet", shell_word(path.string()), shell_word(suite.string()),
                           shell_word(out.string()));
   for (const auto& word : more) line += ' ' + shell_word(word);
   const auto ended = run_line(line);
   if (ended.code != static_cast<int>(Exit::fine) && ended.code != static_cast<int>(Exit::finding))
-    throw Failure(Exit::usage, fmt::format("{}: `run` of the method's cells ended with exit code {}; name a "
-                                           "bezierbench that has the method",
-                                           path.string(), ended.code));
+    throw Failure(Exit::usage,
+                  "{}: `run` of the method's cells ended with exit code {}; name a bezierbench that has the method",
+                  path.string(), ended.code);
 }
 
 namespace {

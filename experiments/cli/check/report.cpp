@@ -10,7 +10,7 @@
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/schema/columns.hpp"
 #include "experiments/cli/commands/comparison_text.hpp"
-#include "experiments/cli/terminal/wrapped.hpp"
+#include "experiments/cli/terminal/text.hpp"
 #include "experiments/requirements/requirements.hpp"
 #include "experiments/tables/table_row.hpp"
 #include "reference/number/echo.hpp"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `choose`: the methods of a bundle that are fast and accurate enough, best first.
+#include "experiments/cli/choose/choose.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -14,17 +16,11 @@
 
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/csv.hpp"
-#include "experiments/cli/choose/choice_text.hpp"
-#include "experiments/cli/choose/choose_companion.hpp"
-#include "experiments/cli/choose/choose_on_curves.hpp"
-#include "experiments/cli/choose/class_choice.hpp"
 #include "experiments/cli/commands/commands.hpp"
-#include "experiments/cli/startup/curve_sets.hpp"
-#include "experiments/cli/startup/diagnostics.hpp"
-#include "experiments/cli/terminal/shell_word.hpp"
-#include "experiments/cli/terminal/wrapped.hpp"
+#include "experiments/cli/startup/suite_options.hpp"
+#include "experiments/cli/terminal/text.hpp"
 #include "experiments/metric/pareto.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/suite.hpp"
 #include "experiments/tables/choices.hpp"
 #include "experiments/terminal.hpp"
 #include "reference/number/echo.hpp"
@@ -35,32 +31,6 @@ namespace {
 
 using tables::Choice;
 using tables::ChoiceGroup;
-
-struct Wish {
-  std::string bundle;
-  std::vector<std::string> curves;
-  bool measure = false;
-  std::optional<std::string> degree_text;
-  int degree = 0;
-  std::string tolerance_text;
-  double tolerance = 0;
-  std::string unit = "u";
-  std::optional<std::string> range_text;
-  std::optional<double> range;
-  std::string problem;
-  std::string form = "bernstein";
-  std::string mode = "point";
-  std::string scalar = "double";
-  int dimension = 2;
-  std::string study;
-  std::string accuracy_study;
-  std::string format = "text";
-
-  [[nodiscard]] const tables::LargestError& error_of(const Choice& choice) const {
-    return unit == "u" ? choice.errors.in_u : choice.errors.absolute;
-  }
-  [[nodiscard]] std::string_view unit_words() const { return unit == "u" ? "u p~" : "coordinate units"; }
-};
 
 /// The tables of a bundle that a choice uses.
 struct Evidence {
@@ -127,7 +97,7 @@ std::string remedy(const Wish& wish) {
 }
 
 [[noreturn]] void refuse(const Wish& wish, const std::string& what) {
-  throw Failure(Exit::usage, fmt::format("{}: {}{}", wish.bundle, what, remedy(wish)));
+  throw Failure(Exit::usage, "{}: {}{}", wish.bundle, what, remedy(wish));
 }
 
 Evidence read_evidence(const Wish& wish) {
@@ -297,36 +267,17 @@ std::string methods_table(const std::vector<Candidate>& candidates) {
 }
 
 bundle::CsvTable csv_table(const std::vector<Candidate>& candidates, const JudgedRace& race, const Wish& wish) {
-  using number::decimal;
   bundle::CsvTable table(
       {"method", "mode",          "ns",        "ns_low",    "ns_high",    "observed_max",     "bound",
        "unit",   "pareto",        "tolerance", "quality",   "bound_of",   "coordinate_range", "t_min",
        "t_max",  "least_p_tilde", "ratio",     "ratio_low", "ratio_high", "relative_to",      "instructions"});
   for (const auto& one : candidates) {
-    const auto& ns = one.choice->ns;
-    const auto& ratio = one.choice->ratio;
-    const auto end_of_ratio = [&](double metric::Interval::*end) { return ratio ? decimal(*ratio.*end) : ""; };
-    table.add_row({one.choice->method,
-                   race.group.mode,
-                   decimal(ns.median),
-                   decimal(ns.low),
-                   decimal(ns.high),
-                   decimal(one.error),
-                   one.bound ? decimal(*one.bound) : "",
-                   wish.unit,
-                   std::string(metric::name(one.front)),
-                   std::string(one.assurance),
-                   one.choice->quality,
-                   std::string(one.bound_of),
-                   decimal(race.of.range),
-                   decimal(race.of.t.min),
-                   decimal(race.of.t.max),
-                   decimal(least_p_tilde(race.group, race.of)),
-                   end_of_ratio(&metric::Interval::median),
-                   end_of_ratio(&metric::Interval::low),
-                   end_of_ratio(&metric::Interval::high),
-                   one.choice->relative_to,
-                   one.choice->instructions ? decimal(*one.choice->instructions) : ""});
+    const auto& [method, ns, quality, errors, ratio, relative_to, instructions] = *one.choice;
+    table.add_row(tables::texts(method, race.group.mode, ns.median, ns.low, ns.high, one.error, one.bound, wish.unit,
+                                metric::name(one.front), one.assurance, quality, one.bound_of, race.of.range,
+                                race.of.t.min, race.of.t.max, least_p_tilde(race.group, race.of),
+                                end_of(ratio, &metric::Interval::median), end_of(ratio, &metric::Interval::low),
+                                end_of(ratio, &metric::Interval::high), relative_to, instructions));
   }
   return table;
 }
@@ -344,64 +295,41 @@ void read_numbers(Wish& wish) {
   if (wish.degree_text) {
     const auto degree = number::parse_integer(*wish.degree_text);
     if (!degree || *degree < 0 || *degree > max_degree)
-      throw Failure(Exit::usage,
-                    fmt::format("--degree {}: must be a whole number from 0 to {}", *wish.degree_text, max_degree));
+      throw Failure(Exit::usage, "--degree {}: must be a whole number from 0 to {}", *wish.degree_text, max_degree);
     wish.degree = static_cast<int>(*degree);
   }
   if (wish.tolerance_text.empty()) return;  // only with --curves
   const auto tolerance = number::parse_number(wish.tolerance_text);
   if (!tolerance || !(*tolerance >= 0) || !std::isfinite(*tolerance))
-    throw Failure(Exit::usage, fmt::format("--tolerance {}: is not a number from 0 on; give the largest error that "
-                                           "you accept",
-                                           wish.tolerance_text));
+    throw Failure(Exit::usage, "--tolerance {}: is not a number from 0 on; give the largest error that you accept",
+                  wish.tolerance_text);
   wish.tolerance = *tolerance;
   if (!wish.range_text) return;
   wish.range = number::parse_number(*wish.range_text);
   if (!wish.range || !(*wish.range > 0) || !std::isfinite(*wish.range))
-    throw Failure(Exit::usage, fmt::format("--range {}: is not a number above 0; give the largest coordinate of your "
-                                           "curves",
-                                           *wish.range_text));
-}
-
-/// What --curves ranks. Throws Failure(usage) for options that need a bundle.
-Exit choose_on_curves(Wish wish) {
-  if (!wish.bundle.empty())
-    throw Failure(Exit::usage,
-                  fmt::format("--curves: cannot be combined with the bundle {}; remove one of them", wish.bundle));
-  read_numbers(wish);
-  return choose_on_curves(
-      CurvesWish{.files = wish.curves,
-                 .tolerance = wish.tolerance_text.empty() ? std::nullopt : std::optional(wish.tolerance),
-                 .tolerance_text = wish.tolerance_text,
-                 .unit = wish.unit,
-                 .mode = wish.mode,
-                 .scalar = wish.scalar,
-                 .degree = wish.degree_text ? std::optional(wish.degree) : std::nullopt,
-                 .measure = wish.measure,
-                 .format = wish.format});
-}
-
-/// What --problem ranks. Throws Failure(usage) for a missing or unfit option.
-Exit choose_companion(const Wish& wish) {
-  if (wish.bundle.empty() || !wish.degree_text)
-    throw Failure(Exit::usage, "--problem: must come with BUNDLE and --degree");
-  return choose_companion(CompanionWish{wish.bundle, wish.problem, *wish.degree_text, wish.tolerance_text, wish.form,
-                                        wish.scalar, std::to_string(wish.dimension), wish.study, wish.accuracy_study,
-                                        wish.format});
+    throw Failure(Exit::usage, "--range {}: is not a number above 0; give the largest coordinate of your curves",
+                  *wish.range_text);
 }
 
 Exit choose(Wish wish) {
-  if (!wish.problem.empty()) return choose_companion(wish);
-  if (!wish.curves.empty()) return choose_on_curves(std::move(wish));
+  if (!wish.problem.empty()) {
+    if (wish.bundle.empty() || !wish.degree_text)
+      throw Failure(Exit::usage, "--problem: must come with BUNDLE and --degree");
+    return choose_companion(wish);
+  }
+  if (!wish.curves.empty()) {
+    if (!wish.bundle.empty())
+      throw Failure(Exit::usage, "--curves: cannot be combined with the bundle {}; remove one of them", wish.bundle);
+    read_numbers(wish);
+    return choose_on_curves(wish);
+  }
   for (const auto& [option, is_missing] :
        {std::pair("BUNDLE", wish.bundle.empty()), std::pair("--degree", !wish.degree_text),
         std::pair("--tolerance", wish.tolerance_text.empty())})
-    if (is_missing)
-      throw Failure(Exit::usage, fmt::format("{} is required; or name files of curves by --curves", option));
+    if (is_missing) throw Failure(Exit::usage, "{} is required; or name files of curves by --curves", option);
   if (wish.unit != "u" && wish.unit != "coordinate")
-    throw Failure(
-        Exit::usage,
-        fmt::format("--unit {}: is for --curves; a bundle states largest errors in u or coordinate", wish.unit));
+    throw Failure(Exit::usage, "--unit {}: is for --curves; a bundle states largest errors in u or coordinate",
+                  wish.unit);
   read_numbers(wish);
   const auto evidence = read_evidence(wish);
   const auto races = judged_races(evidence, wish);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/cli/choose/choose_companion.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -16,8 +14,8 @@
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/schema/columns.hpp"
-#include "experiments/cli/choose/choice_text.hpp"
-#include "experiments/cli/terminal/wrapped.hpp"
+#include "experiments/cli/choose/choose.hpp"
+#include "experiments/cli/terminal/text.hpp"
 #include "experiments/metric/pareto.hpp"
 #include "experiments/tables/choices.hpp"
 #include "experiments/tables/table_row.hpp"
@@ -46,12 +44,12 @@ struct Ranked {
   metric::Front front = metric::Front::off;  ///< of those without a fault
 };
 
-[[noreturn]] void refuse(const CompanionWish& wish, const std::string& what) {
-  throw Failure(Exit::usage, fmt::format("{}: {}", wish.bundle, what));
+[[noreturn]] void refuse_problem(const Wish& wish, const std::string& what) {
+  throw Failure(Exit::usage, "{}: {}", wish.bundle, what);
 }
 
 /// Keeps the rows with this word in the column. Throws Failure(usage) with the available words where there are none.
-void require(std::vector<TableRow>& rows, const CompanionWish& wish, const char* column, const std::string& word) {
+void require(std::vector<TableRow>& rows, const Wish& wish, const char* column, const std::string& word) {
   std::set<std::string> available;
   for (const auto& row : rows) available.insert(row.text(column));
   const auto asked = number::parse_number(word);
@@ -60,28 +58,30 @@ void require(std::vector<TableRow>& rows, const CompanionWish& wish, const char*
   };
   std::erase_if(rows, [&](const TableRow& row) { return !is_meant(row.text(column)); });
   if (rows.empty())
-    refuse(wish, word.empty() ? fmt::format("--{} is required; available: {}", column, fmt::join(available, ", "))
-                              : fmt::format("no method of {} was judged at {} {}; available: {}", wish.problem, column,
-                                            word, fmt::join(available, ", ")));
+    refuse_problem(wish, word.empty()
+                             ? fmt::format("--{} is required; available: {}", column, fmt::join(available, ", "))
+                             : fmt::format("no method of {} was judged at {} {}; available: {}", wish.problem, column,
+                                           word, fmt::join(available, ", ")));
 }
 
-std::vector<TableRow> judged_rows(const std::vector<bundle::CsvDocument>& judgements, const CompanionWish& wish) {
+std::vector<TableRow> judged_rows(const std::vector<bundle::CsvDocument>& judgements, const Wish& wish) {
   std::vector<TableRow> rows;
   for (const auto& table : judgements)
     for (const auto& row : tables::rows_of(table))
       if (row.text("status") == "ok" && (wish.accuracy_study.empty() || row.text("study") == wish.accuracy_study))
         rows.push_back(row);
   if (rows.empty())
-    refuse(wish, fmt::format("no method of {} was judged{}; choose from another bundle", wish.problem,
-                             wish.accuracy_study.empty() ? "" : " in study " + wish.accuracy_study));
+    refuse_problem(wish, fmt::format("no method of {} was judged{}; choose from another bundle", wish.problem,
+                                     wish.accuracy_study.empty() ? "" : " in study " + wish.accuracy_study));
   require(rows, wish, "form", wish.form);
   require(rows, wish, "scalar", wish.scalar);
-  require(rows, wish, "dimension", wish.dimension);
-  require(rows, wish, "degree", wish.degree);
+  require(rows, wish, "dimension", std::to_string(wish.dimension));
+  require(rows, wish, "degree", *wish.degree_text);
   if (rows.front().has("tolerance"))
-    require(rows, wish, "tolerance", wish.tolerance);
-  else if (!wish.tolerance.empty())
-    refuse(wish, fmt::format("--tolerance {}: {} has no tolerance; remove it", wish.tolerance, wish.problem));
+    require(rows, wish, "tolerance", wish.tolerance_text);
+  else if (!wish.tolerance_text.empty())
+    refuse_problem(wish,
+                   fmt::format("--tolerance {}: {} has no tolerance; remove it", wish.tolerance_text, wish.problem));
   return rows;
 }
 
@@ -101,13 +101,13 @@ std::map<std::string, Judged> judged_methods(const std::vector<TableRow>& rows, 
 }
 
 /// The race of these methods on such curves with the most of them; empty without one.
-std::optional<tables::ChoiceGroup> race_of(const bundle::CsvDocument& timing, const CompanionWish& wish,
+std::optional<tables::ChoiceGroup> race_of(const bundle::CsvDocument& timing, const Wish& wish,
                                            const std::map<std::string, Judged>& judged) {
   auto rows = tables::rows_of(timing);
-  const auto tolerance = number::parse_number(wish.tolerance);
+  const auto tolerance = number::parse_number(wish.tolerance_text);
   std::erase_if(rows, [&](const TableRow& row) {
     return row.text("form") != wish.form || row.text("scalar") != wish.scalar ||
-           row.text("dimension") != wish.dimension || row.text("degree") != wish.degree ||
+           row.text("dimension") != std::to_string(wish.dimension) || row.text("degree") != *wish.degree_text ||
            row.optional_number("tolerance") != tolerance || row.text("mode") != "one_shot" ||
            (!wish.study.empty() && row.text("study") != wish.study);
   });
@@ -127,7 +127,7 @@ std::string faults_text(const Judged& judged) {
 }
 
 std::string text_of(const std::vector<Ranked>& ranked, const tables::ChoiceGroup& race,
-                    const bundle::DeclaredTable& declared, const CompanionWish& wish) {
+                    const bundle::DeclaredTable& declared, const Wish& wish) {
   const auto faultless = std::ranges::count_if(ranked, [](const Ranked& one) { return one.judged->faults.empty(); });
   const auto& relative_to = ranked.front().time->relative_to;
   std::string text;
@@ -141,8 +141,9 @@ std::string text_of(const std::vector<Ranked>& ranked, const tables::ChoiceGroup
   }
   const auto& within = declared.within_tolerance;
   text +=
-      paragraph(fmt::format("{}, degree {}, {} form, {}, {} axes{}", wish.problem, wish.degree, wish.form, wish.scalar,
-                            wish.dimension, wish.tolerance.empty() ? "" : ", tolerance " + wish.tolerance)) +
+      paragraph(fmt::format("{}, degree {}, {} form, {}, {} axes{}", wish.problem, *wish.degree_text, wish.form,
+                            wish.scalar, wish.dimension,
+                            wish.tolerance_text.empty() ? "" : ", tolerance " + wish.tolerance_text)) +
       paragraph(fmt::format("times of study {}; errors and faults of all such rows of {}", race.study, declared.file)) +
       paragraph(fmt::format("a fault: a trial that is counted in {}{}", fmt::join(declared.faults, ", "),
                             within.empty() ? "" : "; a " + within + " above the tolerance")) +
@@ -159,16 +160,13 @@ std::string text_of(const std::vector<Ranked>& ranked, const tables::ChoiceGroup
 }
 
 std::string csv_of(const std::vector<Ranked>& ranked, const bundle::DeclaredTable& declared) {
-  using number::decimal;
   bundle::CsvTable table({"method", "ns", "ns_low", "ns_high", "ratio", "ratio_low", "ratio_high", "relative_to",
                           declared.measure, "faults", "pareto"});
   for (const auto& one : ranked) {
-    const auto& ratio = one.time->ratio;
-    const auto end = [&](double metric::Interval::*of) { return ratio ? decimal(*ratio.*of) : ""; };
-    table.add_row({one.time->method, decimal(one.time->ns.median), decimal(one.time->ns.low),
-                   decimal(one.time->ns.high), end(&metric::Interval::median), end(&metric::Interval::low),
-                   end(&metric::Interval::high), one.time->relative_to, decimal(one.judged->measure),
-                   faults_text(*one.judged), std::string(name(one.front))});
+    const auto& [method, ns, quality, errors, ratio, relative_to, instructions] = *one.time;
+    table.add_row(tables::texts(method, ns.median, ns.low, ns.high, end_of(ratio, &metric::Interval::median),
+                                end_of(ratio, &metric::Interval::low), end_of(ratio, &metric::Interval::high),
+                                relative_to, one.judged->measure, faults_text(*one.judged), name(one.front)));
   }
   return table.text();
 }
@@ -183,7 +181,7 @@ std::vector<std::string> companion_problems() {
   return problems;
 }
 
-Exit choose_companion(const CompanionWish& wish) {
+Exit choose_companion(const Wish& wish) {
   const auto bundle = bundle::BundleDirectory::open(wish.bundle);
   const auto& declared = *bundle::declared_table(wish.problem + ".csv");
   std::vector<bundle::CsvDocument> judgements;
@@ -191,11 +189,12 @@ Exit choose_companion(const CompanionWish& wish) {
     if (auto found = bundle.table(file)) judgements.push_back(std::move(*found));
   const auto timing = bundle.table("timing.csv");
   if (judgements.empty() || !timing)
-    refuse(wish, fmt::format("does not have both {} and times; choose from another bundle", declared.file));
+    refuse_problem(wish, fmt::format("does not have both {} and times; choose from another bundle", declared.file));
   const auto judged = judged_methods(judged_rows(judgements, wish), declared);
   const auto race = race_of(*timing, wish, judged);
   if (!race)
-    refuse(wish, fmt::format("no method of {} was timed on such curves; choose from another bundle", wish.problem));
+    refuse_problem(wish,
+                   fmt::format("no method of {} was timed on such curves; choose from another bundle", wish.problem));
   std::vector<metric::Tradeoff> tradeoffs;
   std::vector<Ranked> ranked;
   for (const auto& choice : race->choices) {
@@ -210,7 +209,7 @@ Exit choose_companion(const CompanionWish& wish) {
       ranked, {}, [](const Ranked& one) { return std::pair(!one.judged->faults.empty(), one.time->time().median); });
   fmt::print("{}", wish.format == "csv" ? csv_of(ranked, declared) : text_of(ranked, *race, declared, wish));
   if (ranked.front().judged->faults.empty()) return Exit::fine;
-  say(fmt::format("{}: every method of {} has a fault at degree {}", wish.bundle, wish.problem, wish.degree));
+  say(fmt::format("{}: every method of {} has a fault at degree {}", wish.bundle, wish.problem, *wish.degree_text));
   return Exit::finding;
 }
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/cli/choose/choose_on_curves.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
@@ -13,15 +10,14 @@
 
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/bundle/csv.hpp"
-#include "experiments/cli/startup/curve_sets.hpp"
-#include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/cli/choose/choose.hpp"
 #include "experiments/cli/startup/suite_options.hpp"
-#include "experiments/cli/terminal/wrapped.hpp"
+#include "experiments/cli/terminal/text.hpp"
 #include "experiments/metric/pareto.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/sample/curve_slice.hpp"
 #include "experiments/studies/roster.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/suite.hpp"
 #include "experiments/tables/table_row.hpp"
 #include "experiments/terminal.hpp"
 #include "reference/number/echo.hpp"
@@ -94,7 +90,7 @@ tables::Tables tables_of_run(const suite::Study& study) {
 }
 
 /// A study of all these curves, each at several parameters if there are few.
-suite::Study study_of(const suite::Study& slice, const CurvesWish& wish) {
+suite::Study study_of(const suite::Study& slice, const Wish& wish) {
   suite::Study study;
   study.id = "choose";
   study.kind = &studies::accuracy_kind.asks;
@@ -128,7 +124,7 @@ std::vector<RankedMethod> judged(const suite::Study& study, const Unit& unit) {
 }
 
 /// Times of now, in a race on the first of the curves.
-Times measured(suite::Study study, const std::vector<RankedMethod>& candidates, const CurvesWish& wish) {
+Times measured(suite::Study study, const std::vector<RankedMethod>& candidates, const Wish& wish) {
   study.kind = &studies::timing_kind.asks;
   study.modes = {*suite::parse<suite::Mode>(wish.mode)};
   study.methods.clear();
@@ -149,7 +145,7 @@ class Answers {
   }
 
   /// Of several studies the first that has most of the methods; its times can be compared with each other.
-  [[nodiscard]] Times of(const Ranking& ranking, const CurvesWish& wish) const {
+  [[nodiscard]] Times of(const Ranking& ranking, const Wish& wish) const {
     Times best;
     for (const auto& timing : timings_) {
       std::map<std::string, Times> by_study;
@@ -184,8 +180,8 @@ void set_fronts(std::vector<RankedMethod>& candidates) {
 
 double median_ns(const RankedMethod& one) { return one.ns ? one.ns->median : std::numeric_limits<double>::infinity(); }
 
-/// The order of the ranking: with a tolerance by time; without one, first the methods that are nearly correctly rounded on
-/// these curves, by time, then the others, by their share of misrounded coordinates.
+/// The order of the ranking: with a tolerance by time; without one, first the methods that are nearly correctly rounded
+/// on these curves, by time, then the others, by their share of misrounded coordinates.
 bool is_better(const RankedMethod& a, const RankedMethod& b, bool has_tolerance) {
   const bool a_is_near = has_tolerance || a.misrounded <= nearly_correct;
   const bool b_is_near = has_tolerance || b.misrounded <= nearly_correct;
@@ -194,7 +190,7 @@ bool is_better(const RankedMethod& a, const RankedMethod& b, bool has_tolerance)
   return std::pair(a.misrounded, a.error) < std::pair(b.misrounded, b.error);
 }
 
-Ranking ranking_of(const suite::Study& slice, const CurvesWish& wish, const Unit& unit,
+Ranking ranking_of(const suite::Study& slice, const Wish& wish, const Unit& unit,
                    const std::optional<Answers>& answers) {
   const auto study = study_of(slice, wish);
   Ranking ranking{slice.form,
@@ -205,26 +201,26 @@ Ranking ranking_of(const suite::Study& slice, const CurvesWish& wish, const Unit
                   judged(study, unit),
                   {}};
   auto& candidates = ranking.candidates;
+  const bool has_tolerance = !wish.tolerance_text.empty();
   const auto best = std::ranges::min_element(candidates, {}, &RankedMethod::error);
   if (best != candidates.end()) ranking.most_accurate = *best;
-  std::erase_if(candidates, [&](const RankedMethod& one) { return wish.tolerance && one.error > *wish.tolerance; });
+  std::erase_if(candidates, [&](const RankedMethod& one) { return has_tolerance && one.error > wish.tolerance; });
   const auto times = answers ? answers->of(ranking, wish) : measured(study, candidates, wish);
   for (auto& one : candidates)
     if (const auto found = times.find(one.method); found != times.end()) one.ns = found->second;
   set_fronts(candidates);
-  std::ranges::stable_sort(candidates, [&](const RankedMethod& a, const RankedMethod& b) {
-    return is_better(a, b, wish.tolerance.has_value());
-  });
+  std::ranges::stable_sort(
+      candidates, [&](const RankedMethod& a, const RankedMethod& b) { return is_better(a, b, has_tolerance); });
   return ranking;
 }
 
-std::string short_text(double value) { return fmt::format("{:.4g}", value); }
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
-std::string first_text(const Ranking& ranking, const CurvesWish& wish, const Unit& unit) {
+std::string first_text(const Ranking& ranking, const Wish& wish, const Unit& unit) {
   if (ranking.candidates.empty()) return "";
   const auto& best = ranking.candidates.front();
-  std::string why = wish.tolerance ? fmt::format("the fastest within {} {}", wish.tolerance_text, unit.words)
+  std::string why = !wish.tolerance_text.empty()
+                        ? fmt::format("the fastest within {} {}", wish.tolerance_text, unit.words)
                     : best.misrounded <= nearly_correct
                         ? fmt::format("the fastest that rounds more than {} of the coordinates correctly",
                                       percent(1 - nearly_correct))
@@ -233,13 +229,13 @@ std::string first_text(const Ranking& ranking, const CurvesWish& wish, const Uni
   auto text = wrapped("", fmt::format("{}: {}", best.method, why), 4) +
               wrapped("  ",
                       fmt::format("{} of the coordinates are not the nearest {}, largest error {} {}{}",
-                                  percent(best.misrounded), wish.scalar, short_text(best.error), unit.words,
-                                  best.bound ? fmt::format(", bound {}", short_text(*best.bound)) : ""),
+                                  percent(best.misrounded), wish.scalar, brief(best.error), unit.words,
+                                  best.bound ? fmt::format(", bound {}", brief(*best.bound)) : ""),
                       4);
   return text;
 }
 
-std::string text_of(const Ranking& ranking, const CurvesWish& wish, const Unit& unit) {
+std::string text_of(const Ranking& ranking, const Wish& wish, const Unit& unit) {
   std::string text = wrapped(
       "",
       fmt::format("{} curve{} of degree {}, {} form, {} axes; {}, mode {}; {} points judged against the exact value",
@@ -249,34 +245,29 @@ std::string text_of(const Ranking& ranking, const CurvesWish& wish, const Unit& 
   text += first_text(ranking, wish, unit) + "\n";
   std::vector<std::vector<std::string>> lines{{"method", "ns", "misrounded", "error", "bound", "pareto"}};
   for (const auto& one : ranking.candidates)
-    lines.push_back({one.method, one.ns ? short_text(one.ns->median) : "", percent(one.misrounded),
-                     short_text(one.error), one.bound ? short_text(*one.bound) : "", std::string(one.front)});
+    lines.push_back({one.method, one.ns ? brief(one.ns->median) : "", percent(one.misrounded), brief(one.error),
+                     one.bound ? brief(*one.bound) : "", std::string(one.front)});
   return text + fitted(std::move(lines), terminal_width(STDOUT_FILENO)) + "\n";
 }
 
-void add_rows(const Ranking& ranking, const CurvesWish& wish, const Unit& unit, bundle::CsvTable& table) {
-  using number::decimal;
-  const auto time = [](const RankedMethod& one, double metric::Interval::*of) {
-    return one.ns ? decimal((*one.ns).*of) : "";
-  };
+void add_rows(const Ranking& ranking, const Wish& wish, const Unit& unit, bundle::CsvTable& table) {
   for (const auto& one : ranking.candidates)
-    table.add_row({std::string(name(ranking.form)), std::to_string(ranking.degree), std::to_string(ranking.curves),
-                   std::to_string(ranking.dimension), one.method, wish.mode, time(one, &metric::Interval::median),
-                   time(one, &metric::Interval::low), time(one, &metric::Interval::high), decimal(one.error),
-                   one.bound ? decimal(*one.bound) : "", std::string(unit.id), std::string(one.front),
-                   decimal(one.misrounded)});
+    table.add_row(tables::texts(name(ranking.form), ranking.degree, ranking.curves, ranking.dimension, one.method,
+                                wish.mode, end_of(one.ns, &metric::Interval::median),
+                                end_of(one.ns, &metric::Interval::low), end_of(one.ns, &metric::Interval::high),
+                                one.error, one.bound, unit.id, one.front, one.misrounded));
 }
 
 /// The studies of the files, one for each form, dimension and degree: the most frequent non-linear one first.
-std::vector<suite::Study> slices_of(const CurvesWish& wish) {
+std::vector<suite::Study> slices_of(const Wish& wish) {
   suite::Suite all;
   auto& study = all.studies.emplace_back();
   study.id = "choose";
   study.kind = &studies::accuracy_kind.asks;
   std::vector<suite::Suite> suites{all};
-  take_curves(suites, wish.files);
+  take_curves(suites, wish.curves);
   suites.front().studies.front().places.keys.erase("curve");  // all forms
-  if (wish.degree) suites.front().studies.front().degree = {*wish.degree};
+  if (wish.degree_text) suites.front().studies.front().degree = {wish.degree};
   load_curves(suites);
   auto slices = sample::studies_of(suites.front().studies.front());
   std::ranges::stable_sort(slices, [](const suite::Study& a, const suite::Study& b) {
@@ -290,7 +281,7 @@ std::vector<suite::Study> slices_of(const CurvesWish& wish) {
 
 }  // namespace
 
-Exit choose_on_curves(const CurvesWish& wish) {
+Exit choose_on_curves(const Wish& wish) {
   const auto& unit = *std::ranges::find(error_units, wish.unit, &Unit::id);
   const auto slices = slices_of(wish);
   std::optional<Answers> answers;
@@ -312,7 +303,7 @@ Exit choose_on_curves(const CurvesWish& wish) {
     if (!ranking.candidates.empty() || !ranking.most_accurate) continue;
     say(fmt::format("no method stays within {} {} on the {} curves of degree {}; the most accurate is {} with {}",
                     wish.tolerance_text, unit.words, ranking.curves, ranking.degree, ranking.most_accurate->method,
-                    short_text(ranking.most_accurate->error)));
+                    brief(ranking.most_accurate->error)));
     exit = Exit::finding;
   }
   if (wish.format == "csv") fmt::print("{}", table.text());

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/cli/choose/class_choice.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,9 +8,10 @@
 #include <set>
 #include <tuple>
 
+#include "experiments/cli/choose/choose.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/suite.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/cli/choose/class_choice.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "core/bound/error_bound.hpp"
+#include "experiments/cli/choose/choose.hpp"
 
 namespace bezierbench::cli {
 namespace {
@@ -22,10 +20,9 @@ tables::JudgedTables judged(const std::vector<JudgedRow>& rows, const std::strin
   std::string accuracy =
       "study,form,method,scalar,dimension,degree,coordinate_range,t_min,t_max,generator,baseline,status,max_error,"
       "max_error_u,bound_u,max_bound,non_finite,unbounded_trials\n";
-  for (const auto& row : rows) {
+  for (const auto& row : rows)
     accuracy += row.study + ",bernstein," + row.method + ",double,1,5," + row.drawn + ",continuous,exact,ok," +
                 row.numbers + ",0," + unbounded + "\n";
-  }
   std::vector<bundle::CsvDocument> accuracies;
   accuracies.push_back(bundle::parse_csv(accuracy, "accuracy.csv"));
   return tables::JudgedTables(std::move(accuracies));
@@ -96,27 +93,6 @@ TEST(ClassChoice, LeavesOutWhatWasJudgedOnAPartOfTheClassOnly) {
               std::nullopt, "");
   ASSERT_EQ(group.choices.size(), 1U);
   EXPECT_EQ(group.choices[0].method, "de_casteljau");
-}
-
-/// The bound of de Casteljau's method is gamma_3n p~. A path through rounded power coefficients has none in u p~ up to
-/// t = 1.
-TEST(ClassChoice, KnowsTheBoundOfTheClass) {
-  auto group = timed({"de_casteljau", "exact_dd:horner_dd"});
-  const auto tables =
-      judged({{"s", "de_casteljau", "10,0,1", "1,3,15,20"}, {"s", "exact_dd:horner_dd", "10,0,1", "1,0.9,0.99,20"}});
-  const auto detour =
-      std::string("exact_dd:horner_dd,evaluation,bernstein,\"") +
-      "conversion u^2 sum |b_i| C(n,i) t^i (1+t)^(n-i); evaluation u p~ + gamma_(2n+3)^2 sum |q_j| t^j\"\n";
-  judge_class(group, {10, {0, 1}}, tables, methods_csv(own_methods + detour), "");
-  ASSERT_EQ(group.choices.size(), 2U);
-  const auto& direct = group.choices[0].errors;
-  ASSERT_TRUE(direct.in_u.class_bound);
-  EXPECT_NEAR(*direct.in_u.class_bound, gamma_over_u(15, 0x1p-53), 1e-12);
-  EXPECT_NEAR(*direct.absolute.class_bound / (15 * 0x1p-53 * 10), 1, 1e-12);
-  const auto& converted = group.choices[1].errors;
-  EXPECT_EQ(converted.in_u.bound, 0.99);  // bound of the trials
-  EXPECT_FALSE(converted.in_u.class_bound);
-  EXPECT_TRUE(converted.absolute.class_bound);
 }
 
 TEST(ClassChoice, TrustsNoBoundOfAnotherVersionOfTheMethod) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "experiments/cli/command.hpp"
 #include "experiments/external/own_method.hpp"
@@ -26,5 +27,8 @@ void add_inputs(Command program, Exit& exit);
 void add_judge(Command program, Exit& exit);
 void add_curve(Command program, Exit& exit);
 void add_curves(Command program, Exit& exit);
+
+/// The keys that every kind has, then those of each kind, in lines of at most 80 characters.
+std::string kinds_text();
 
 }  // namespace bezierbench::cli

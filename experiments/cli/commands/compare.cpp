@@ -9,13 +9,12 @@
 #include <system_error>
 
 #include "experiments/bundle/atomic_file.hpp"
-#include "experiments/bundle/folder.hpp"
+#include "experiments/bundle/bundle.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/commands/comparison_text.hpp"
-#include "experiments/cli/commands/gate_options.hpp"
-#include "experiments/cli/startup/diagnostics.hpp"
-#include "experiments/cli/startup/vocabulary.hpp"
-#include "experiments/suite/pattern.hpp"
+#include "experiments/cli/startup/this_build.hpp"
+#include "experiments/cli/terminal/text.hpp"
+#include "experiments/suite/ids.hpp"
 #include "reference/number/echo.hpp"
 
 namespace bezierbench::cli {
@@ -47,9 +46,8 @@ void keep_methods(const std::string& glob, std::vector<Comparison>& comparisons)
     found = found || !one.results.empty() || !one.times.empty();
   }
   if (!found)
-    throw Failure(Exit::usage, fmt::format("--method {}: no method that the bundles have in common matches; see "
-                                           "`list methods`",
-                                           echo(glob)));
+    throw Failure(Exit::usage, "--method {}: no method that the bundles have in common matches; see `list methods`",
+                  echo(glob));
 }
 
 /// Every side with the first; the sides must outlive the comparisons.
@@ -58,10 +56,9 @@ std::vector<Comparison> compared(const std::vector<compare::Side>& sides) {
   for (std::size_t k = 1; k < sides.size(); ++k) {
     const auto& one = comparisons.emplace_back(compare::compare_sides(sides.front(), sides[k]));
     if (one.results.empty() && one.times.empty() && one.costs.empty())
-      throw Failure(
-          Exit::usage,
-          fmt::format("{}: does not have a row in common with {}; compare bundles of the same studies and seed",
-                      sides[k].name, sides.front().name));
+      throw Failure(Exit::usage,
+                    "{}: does not have a row in common with {}; compare bundles of the same studies and seed",
+                    sides[k].name, sides.front().name);
   }
   compare::rank(comparisons);
   return comparisons;
@@ -85,12 +82,11 @@ bundle::CsvTable facts_table(const std::vector<Comparison>& comparisons) {
 
 void write_files(const std::vector<Comparison>& comparisons, const std::filesystem::path& out) {
   if (std::filesystem::exists(out / bundle::manifest_name))
-    throw Failure(Exit::usage, fmt::format("{}: is a bundle itself; choose another --out", out.string()));
+    throw Failure(Exit::usage, "{}: is a bundle itself; choose another --out", out.string());
   std::error_code error;
   std::filesystem::create_directories(out, error);
   if (error)
-    throw Failure(Exit::input_output,
-                  fmt::format("{}: cannot be created: {}; choose another --out", out.string(), error.message()));
+    throw Failure(Exit::input_output, "{}: cannot be created: {}; choose another --out", out.string(), error.message());
   bundle::write_file(out / "facts.csv", facts_table(comparisons).text());
   bundle::write_file(out / "comparison.csv", compare::comparison_table(comparisons).text());
   bundle::write_file(out / "standings.csv", compare::standings_table(compare::standings(comparisons)).text());

@@ -11,7 +11,7 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/curve/curve_file.hpp"
-#include "experiments/cli/terminal/wrapped.hpp"
+#include "experiments/cli/terminal/text.hpp"
 #include "experiments/metric/curve_statistics.hpp"
 #include "experiments/terminal.hpp"
 #include "reference/curves/read.hpp"

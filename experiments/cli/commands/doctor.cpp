@@ -5,9 +5,8 @@
 #include "build_facts.hpp"
 #include "core/api/floating_point_faults.hpp"
 #include "experiments/bundle/machine.hpp"
-#include "experiments/bundle/timing_fitness.hpp"
 #include "experiments/cli/commands/commands.hpp"
-#include "experiments/cli/terminal/wrapped.hpp"
+#include "experiments/cli/terminal/text.hpp"
 #include "experiments/race/counters.hpp"
 #include "experiments/terminal.hpp"
 

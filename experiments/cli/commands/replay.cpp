@@ -17,7 +17,7 @@
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/curve/curve_file.hpp"
 #include "experiments/cli/external/external_options.hpp"
-#include "experiments/cli/startup/diagnostics.hpp"
+#include "experiments/cli/terminal/text.hpp"
 #include "experiments/guarantees/statements.hpp"
 #include "experiments/judge/error_sources.hpp"
 #include "experiments/judge/input_fields.hpp"
@@ -26,7 +26,7 @@
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/studies/bounds/problem.hpp"
 #include "experiments/studies/external/external.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/suite.hpp"
 #include "reference/exact_point.hpp"
 #include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
@@ -91,8 +91,8 @@ class WorstRecord {
   [[nodiscard]] Recorded about() const { return file_.about; }
 
   [[noreturn]] void malformed(std::string_view column, std::string_view what) const {
-    throw Failure(Exit::input_output, fmt::format("{}:{}: {} {}; restore the file or run the suite again",
-                                                  table_.file_name(), table_.line(row_), column, what));
+    throw Failure(Exit::input_output, "{}:{}: {} {}; restore the file or run the suite again", table_.file_name(),
+                  table_.line(row_), column, what);
   }
 
  private:
@@ -128,11 +128,10 @@ WorstRecord find_worst_record(const bundle::BundleDirectory& bundle, const std::
   if (there.empty())
     throw Failure(
         Exit::usage,
-        fmt::format("{}: has no inputs with an id (worst.csv, search.csv, guarantees.csv, bounds.csv); name a "
-                    "bundle that has",
-                    bundle.path().string()));
-  throw Failure(Exit::usage, fmt::format("{}: no such id in {}; there are {}, see worst_id, search_id and guarantee_id",
-                                         id, bundle.path().string(), fmt::join(there, ", ")));
+        "{}: has no inputs with an id (worst.csv, search.csv, guarantees.csv, bounds.csv); name a bundle that has",
+        bundle.path().string());
+  throw Failure(Exit::usage, "{}: no such id in {}; there are {}, see worst_id, search_id and guarantee_id", id,
+                bundle.path().string(), fmt::join(there, ", "));
 }
 
 /// The number in hexadecimal, which keeps all bits, and in decimal.
@@ -225,9 +224,7 @@ Exit replay_external(const std::string& id, const WorstRecord& record, const sam
   const auto& name = record.text("method");
   const auto* method = external::find(given, name);
   if (method == nullptr)
-    throw Failure(Exit::usage, fmt::format("{}: {} is an external method; give it with --plugin, --program or "
-                                           "--answers",
-                                           id, name));
+    throw Failure(Exit::usage, "{}: {} is an external method; give it with --plugin, --program or --answers", id, name);
   judge::TrialInputs<Scalar> inputs(cell.form, cell);
   inputs.assign(record.input(cell));
   external::Batch batch{
@@ -309,7 +306,7 @@ Exit asked_again(const std::string& id, const WorstRecord& record, const sample:
 /// `finding`. Throws Failure(usage) for a row without an input, Failure(input_output) for a field that is malformed.
 Exit replay_property(const std::string& id, const WorstRecord& record, const sample::Cell& cell) {
   if (record.text("t").empty())
-    throw Failure(Exit::usage, fmt::format("{}: is proved, so that there is no input; see docs/guarantees.md", id));
+    throw Failure(Exit::usage, "{}: is proved, so that there is no input; see docs/guarantees.md", id);
   return record.scalar() == suite::ScalarKind::float32 ? asked_again<float>(id, record, cell)
                                                        : asked_again<double>(id, record, cell);
 }
@@ -325,9 +322,8 @@ void print_side(std::string_view axis, std::string_view side, double computed, d
 /// Failure(input_output) for a field that is malformed.
 Exit replay_box(const std::string& id, const WorstRecord& record, const sample::Cell& cell) {
   if (record.text("coefficients").empty())
-    throw Failure(
-        Exit::usage,
-        fmt::format("{}: has no curve with a point outside; see the rows whose column contains says refuted", id));
+    throw Failure(Exit::usage, "{}: has no curve with a point outside; see the rows whose column contains says refuted",
+                  id);
   const auto kernels = bounds_kernels(cell.dimension);
   const auto method = std::ranges::find_if(
       kernels, [&](const auto& one) { return one.info->id == record.text("method") && one.info->form == cell.form; });

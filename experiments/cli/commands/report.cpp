@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // `report`: the process becomes scripts/report, which is Python and knows bundles as they are written.
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -33,8 +32,8 @@ struct ReportOptions {
   for (auto& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   execv(pointers[0], pointers.data());
-  throw Failure(Exit::environment, fmt::format("{}: cannot be run ({}); install bash and python3", words[0],
-                                               std::generic_category().message(errno)));
+  throw Failure(Exit::environment, "{}: cannot be run ({}); install bash and python3", words[0],
+                std::generic_category().message(errno));
 }
 
 }  // namespace

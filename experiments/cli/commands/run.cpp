@@ -13,17 +13,13 @@
 
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/cli/commands/commands.hpp"
-#include "experiments/cli/commands/kinds.hpp"
-#include "experiments/cli/commands/shard.hpp"
 #include "experiments/cli/external/external_options.hpp"
 #include "experiments/cli/startup/callgrind.hpp"
-#include "experiments/cli/startup/curve_sets.hpp"
-#include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/cli/startup/this_build.hpp"
-#include "experiments/cli/startup/vocabulary.hpp"
-#include "experiments/cli/terminal/shell_word.hpp"
+#include "experiments/cli/terminal/text.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/run/blocks/share.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/run/progress.hpp"
 #include "experiments/suite/external.hpp"
@@ -57,7 +53,7 @@ std::chrono::milliseconds pause(const std::string& text) {
   constexpr double milliseconds = 1000;
   const auto seconds = number::parse_number(text);
   if (!seconds || !(*seconds >= 0 && *seconds <= day))
-    throw Failure(Exit::usage, fmt::format("--checkpoint {}: must be a number of seconds from 0 to {}", text, day));
+    throw Failure(Exit::usage, "--checkpoint {}: must be a number of seconds from 0 to {}", text, day);
   return std::chrono::milliseconds(std::llround(*seconds * milliseconds));
 }
 
@@ -69,9 +65,9 @@ void leave_out_counts_without_valgrind(run::RunRequest& request) {
     for (auto& study : one.studies) {
       if (study.counts == suite::Counting::none || why.empty()) continue;
       if (study.counts == suite::Counting::only)
-        throw Failure(Exit::environment, fmt::format("{}: counts instructions only, but {}; install valgrind and build "
-                                                     "again, or leave --counts out",
-                                                     study.id, why));
+        throw Failure(Exit::environment,
+                      "{}: counts instructions only, but {}; install valgrind and build again, or leave --counts out",
+                      study.id, why);
       study.counts = suite::Counting::none;
       if (!std::exchange(is_said, true)) say(fmt::format("no counts: {}; install valgrind and build again", why));
     }
@@ -90,7 +86,7 @@ Exit run(const RunOptions& options, const ExternalOptions& external) {
   request.out = options.out;
   request.jobs = options.jobs;
   request.tier = options.reference == "exact" ? reference::Tier::exact : reference::Tier::certified;
-  if (options.shard) request.shard = shard_of(*options.shard, [](const char* name) { return std::getenv(name); });
+  if (options.shard) request.shard = run::shard_of(*options.shard, [](const char* name) { return std::getenv(name); });
   if (options.checkpoint) request.checkpoint = pause(*options.checkpoint);
   request.dry_run = options.dry_run;
   if (options.host_name) request.host_name = bundle::HostName::told;

@@ -9,15 +9,15 @@
 
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/cli/commands/commands.hpp"
-#include "experiments/cli/startup/curve_sets.hpp"
-#include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/cli/startup/suite_options.hpp"
+#include "experiments/cli/startup/this_build.hpp"
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/point_judge.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/studies/roster.hpp"
+#include "experiments/suite/ids.hpp"
 #include "experiments/suite/kind.hpp"
-#include "experiments/suite/nearest.hpp"
 #include "experiments/suite/text/overrides.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "experiments/tables/cell_fields.hpp"
@@ -46,8 +46,8 @@ void check_that_cells_are_set(const std::vector<std::string>& settings) {
   for (const auto& setting : settings) {
     const auto key = setting.substr(0, setting.find('='));
     if (std::ranges::find(axes, key) == axes.end())
-      throw Failure(Exit::usage, fmt::format("--set {}: {} is not an axis that distinguishes cells{}", setting, key,
-                                             suite::suggestion(key, axes)));
+      throw Failure(Exit::usage, "--set {}: {} is not an axis that distinguishes cells{}", setting, key,
+                    suite::suggestion(key, axes));
   }
 }
 
@@ -89,10 +89,10 @@ struct Chosen {
 /// The study that --study names, or the only one.
 const suite::Study& only_study(const std::vector<suite::Suite>& suites, const std::string& wanted) {
   if (suites.size() > 1 || suites.front().studies.size() > 1)
-    throw Failure(Exit::usage, fmt::format("--study {}: matches more than one study; name one", wanted));
+    throw Failure(Exit::usage, "--study {}: matches more than one study; name one", wanted);
   const auto& study = suites.front().studies.front();
   if (!studies::is_kind(study, studies::accuracy_kind))
-    throw Failure(Exit::usage, fmt::format("--study {}: is of another kind; name one of kind accuracy", study.id));
+    throw Failure(Exit::usage, "--study {}: is of another kind; name one of kind accuracy", study.id);
   return study;
 }
 
@@ -109,14 +109,12 @@ Chosen chosen(const TrialsOptions& options) {
   const auto& study = suites.front().studies.front();
   const auto cells = scalar_cells(study);
   if (cells.size() > 1)
-    throw Failure(
-        Exit::usage,
-        fmt::format("study {}: has {} such cells; choose one with --set axis=value (t_interval=0:1), they differ "
-                    "in {}",
-                    study.id, cells.size(), choices(study, cells)));
+    throw Failure(Exit::usage,
+                  "study {}: has {} such cells; choose one with --set axis=value (t_interval=0:1), they differ in {}",
+                  study.id, cells.size(), choices(study, cells));
   if (std::ranges::find(there, cells.front()) == there.end())
-    throw Failure(Exit::usage, fmt::format("study {}: has no such cell in {}; its cells differ in {}", study.id,
-                                           options.bundle, choices(study, there)));
+    throw Failure(Exit::usage, "study {}: has no such cell in {}; its cells differ in {}", study.id, options.bundle,
+                  choices(study, there));
   return {study, suites.front().seed, cells.front()};
 }
 
@@ -126,14 +124,13 @@ const Kernel<Scalar>& chosen_kernel(const Chosen& from, const std::string& metho
   study.methods = {method};
   const auto kernels = judge::chosen_kernels<Scalar>(study, from.cell.cell);
   if (kernels.size() > 1)
-    throw Failure(Exit::usage, fmt::format("--method {}: matches {} methods; name one", method, kernels.size()));
+    throw Failure(Exit::usage, "--method {}: matches {} methods; name one", method, kernels.size());
   if (kernels.empty())
-    throw Failure(Exit::usage, fmt::format("--method {}: takes t in [0,1] only, the cell's t are in [{},{}]", method,
-                                           number::decimal(from.cell.cell.t_interval.min),
-                                           number::decimal(from.cell.cell.t_interval.max)));
+    throw Failure(Exit::usage, "--method {}: takes t in [0,1] only, the cell's t are in [{},{}]", method,
+                  number::decimal(from.cell.cell.t_interval.min), number::decimal(from.cell.cell.t_interval.max));
   if (!kernels.front()->info->template supports<Scalar>(from.cell.cell.degree))
-    throw Failure(Exit::usage, fmt::format("--method {}: does not take degree {}; see `list methods`", method,
-                                           from.cell.cell.degree));
+    throw Failure(Exit::usage, "--method {}: does not take degree {}; see `list methods`", method,
+                  from.cell.cell.degree);
   return *kernels.front();
 }
 

@@ -10,10 +10,10 @@
 #include <string_view>
 
 #include "experiments/bundle/bundle.hpp"
-#include "experiments/bundle/check/method_digest.hpp"
+#include "experiments/bundle/digest.hpp"
 #include "experiments/cli/commands/commands.hpp"
-#include "experiments/cli/startup/diagnostics.hpp"
-#include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/cli/startup/this_build.hpp"
+#include "experiments/cli/terminal/text.hpp"
 #include "experiments/run/plan.hpp"
 #include "experiments/suite/text/reader.hpp"
 #include "reference/number/echo.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `curve at-length`: the parameters at lengths from the beginning of a curve or a path by any method, against the true ones.
+// `curve at-length`: the parameters at lengths from the beginning of a curve or a path by any method, against the
+// true ones.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -60,19 +61,19 @@ LongReal AtLength::target(std::size_t question, double relative, const LongReal&
     const auto& text = fractions[question];
     const double fraction = finite_option("--fraction", text);
     if (fraction < 0 || fraction > 1 + relative)
-      throw Failure(Exit::usage, fmt::format("--fraction {}: must be within 0 and 1", text));
+      throw Failure(Exit::usage, "--fraction {}: must be within 0 and 1", text);
     return std::min(fraction, 1.0) * whole;
   }
   const auto& text = lengths[question];
   const double length = finite_option("--length", text);
   if (length < 0 || LongReal(length) > whole * (1 + LongReal(relative)))
-    throw Failure(Exit::usage, fmt::format("--length {}: must be within 0 and {}, the length of the curve in {}", text,
-                                           whole.str(17, std::ios_base::fmtflags{}), name));
+    throw Failure(Exit::usage, "--length {}: must be within 0 and {}, the length of the curve in {}", text,
+                  whole.str(17, std::ios_base::fmtflags{}), name);
   return LongReal(length) < whole ? LongReal(length) : whole;
 }
 
-/// A segment with its length. `lengths` is empty where they are not certain to 30 digits, or take too long; the length is
-/// known to fewer digits then.
+/// A segment with its length. `lengths` is empty where they are not certain to 30 digits, or take too long; the length
+/// is known to fewer digits then.
 struct MeasuredSegment {
   CurveView<double> curve;
   std::optional<reference::LengthAlong<LongReal>> lengths;

@@ -6,7 +6,7 @@
 
 #include "core/bspline/kernel.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
-#include "experiments/metric/bound_at.hpp"
+#include "experiments/metric/derivative_scale.hpp"
 #include "reference/companion/exact_bspline.hpp"
 #include "reference/number/number.hpp"
 
@@ -34,19 +34,17 @@ BsplineCurve curve_of(const BsplineOptions& options) {
   BsplineCurve curve{read_points(options.points), finite_numbers("--knots", options.knots)};
   const std::size_t points = curve.points.count();
   if (curve.knots.size() < points + 2 || curve.degree() >= points)
-    throw Failure(
-        Exit::usage,
-        fmt::format("--knots: {} knots for the {} points in {}; a curve of degree n has n + 1 knots more than "
-                    "points, so write {} to {}",
-                    curve.knots.size(), points, options.points, points + 2, 2 * points));
+    throw Failure(Exit::usage,
+                  "--knots: {} knots for the {} points in {}; a curve of degree n has n + 1 knots more than points, so "
+                  "write {} to {}",
+                  curve.knots.size(), points, options.points, points + 2, 2 * points);
   const auto descent = std::ranges::is_sorted_until(curve.knots);
   if (descent != curve.knots.end())
-    throw Failure(Exit::usage, fmt::format("--knots: {} follows on {}; knots must not descend",
-                                           number::decimal(*descent), number::decimal(*(descent - 1))));
+    throw Failure(Exit::usage, "--knots: {} follows on {}; knots must not descend", number::decimal(*descent),
+                  number::decimal(*(descent - 1)));
   if (!(curve.begin() < curve.end()))
-    throw Failure(Exit::usage,
-                  fmt::format("--knots: the curve begins and ends at {}; there is no span that is not empty",
-                              number::decimal(curve.begin())));
+    throw Failure(Exit::usage, "--knots: the curve begins and ends at {}; there is no span that is not empty",
+                  number::decimal(curve.begin()));
   return curve;
 }
 
@@ -77,8 +75,8 @@ BsplineSpanView span_view_at(const BsplineCurve& curve, std::size_t first) {
 
 BsplineTarget target_of(const BsplineCurve& curve, double t) {
   if (t < curve.begin() || t > curve.end())
-    throw Failure(Exit::usage, fmt::format("--t {}: the curve is defined from {} to {}", number::decimal(t),
-                                           number::decimal(curve.begin()), number::decimal(curve.end())));
+    throw Failure(Exit::usage, "--t {}: the curve is defined from {} to {}", number::decimal(t),
+                  number::decimal(curve.begin()), number::decimal(curve.end()));
   BsplineTarget target{t, span_view_at(curve, span_at(curve, t)), {}, {}};
   const auto knots = target.span.knots;
   const auto control_points = target.span.control_points;
@@ -124,8 +122,8 @@ void add_rows(const BsplineKernel& method, const BsplineTarget& target, CurveTab
 curves::CurveSet spans_of(const BsplineCurve& curve, std::span<const BsplineKernel* const> methods) {
   const auto maker = std::ranges::find_if(methods, &BsplineKernel::makes_bernstein);
   if (maker == methods.end())
-    throw Failure(Exit::usage, fmt::format("--control-points: --method {} does not make them; leave it out",
-                                           methods.front()->info->id));
+    throw Failure(Exit::usage, "--control-points: --method {} does not make them; leave it out",
+                  methods.front()->info->id);
   curves::CurveSet set;
   for (std::size_t k = curve.degree(); k < curve.points.count(); ++k) {
     if (curve.knots[k] == curve.knots[k + 1]) continue;

@@ -25,12 +25,13 @@ void refuse_inner_conversion(const std::string& id, int dimension) {
     if (kernel.info->id.starts_with(id + ":") && kernel.evaluated_form != Form::power &&
         kernel.evaluated_form != Form::bernstein)
       throw Failure(Exit::usage,
-                    fmt::format("--method {}: its coefficients are {}, which a curve file does not hold; see `curve "
-                                "eval --method {}`, or convert with another of `list methods`",
-                                id, inner_coefficients(kernel.evaluated_form), kernel.info->id));
+                    "--method {}: its coefficients are {}, which a curve file does not hold; see `curve eval --method "
+                    "{}`, or convert with another of `list methods`",
+                    id, inner_coefficients(kernel.evaluated_form), kernel.info->id);
 }
 
-/// Throws Failure for a coefficient that overflows, since the reader of curve files refuses numbers that are not finite.
+/// Throws Failure for a coefficient that overflows, since the reader of curve files refuses numbers that are not
+/// finite.
 void convert(const ConvertOptions& options, CurveFile& curve) {
   const auto& method = options.methods.front();
   refuse_inner_conversion(method, curve.dimension);
@@ -41,11 +42,10 @@ void convert(const ConvertOptions& options, CurveFile& curve) {
   const auto beyond = std::ranges::find_if(converted, [](double value) { return !std::isfinite(value); });
   if (beyond != converted.end()) {
     const auto place = static_cast<int>(beyond - converted.begin());
-    throw Failure(
-        Exit::input_output,
-        fmt::format("{}: coefficient {} of axis {} is beyond the largest double after conversion by {}; "
-                    "scale the coordinates down, by a power of two to keep their digits",
-                    options.curve.name(), place / curve.dimension, axis_name(place % curve.dimension), method));
+    throw Failure(Exit::input_output,
+                  "{}: coefficient {} of axis {} is beyond the largest double after conversion by {}; scale the "
+                  "coordinates down, by a power of two to keep their digits",
+                  options.curve.name(), place / curve.dimension, axis_name(place % curve.dimension), method);
   }
   curve.coefficients = converted;
 }

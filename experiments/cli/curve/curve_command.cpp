@@ -5,8 +5,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "experiments/cli/commands/commands.hpp"
 #include "experiments/peers/peers.hpp"
-#include "experiments/suite/nearest.hpp"
+#include "experiments/suite/ids.hpp"
 #include "reference/error/coordinate_error.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/number/number.hpp"
@@ -47,7 +48,7 @@ void add_method_option(Command command, Problem problem, std::vector<std::string
 double finite_option(const std::string& option, const std::string& text) {
   const auto value = number::parse_number(text);
   if (!value || !std::isfinite(*value))
-    throw Failure(Exit::usage, fmt::format("{} {}: {}", option, echo(text), number::fault(text)));
+    throw Failure(Exit::usage, "{} {}: {}", option, echo(text), number::fault(text));
   return *value;
 }
 
@@ -71,16 +72,15 @@ std::vector<double> finite_coordinates(const std::string& option, const std::str
                                        const std::string& owner) {
   auto numbers = finite_numbers(option, text);
   if (numbers.size() != static_cast<std::size_t>(dimension))
-    throw Failure(Exit::usage, fmt::format("{} {}: {} coordinate{}, but {} {}; write one per axis", option, text,
-                                           numbers.size(), numbers.size() == 1 ? "" : "s", owner, dimension));
+    throw Failure(Exit::usage, "{} {}: {} coordinate{}, but {} {}; write one per axis", option, text, numbers.size(),
+                  numbers.size() == 1 ? "" : "s", owner, dimension);
   return numbers;
 }
 
 double relative_tolerance(const std::string& text) {
   const double tolerance = finite_option("--tolerance", text);
   if (tolerance <= 0)
-    throw Failure(Exit::usage,
-                  fmt::format("--tolerance {}: must be above 0; it is relative to the length of the curve", text));
+    throw Failure(Exit::usage, "--tolerance {}: must be above 0; it is relative to the length of the curve", text);
   return tolerance;
 }
 
@@ -111,7 +111,7 @@ void refuse_curve(const std::string& name, const CurveFile& curve, const MethodI
     why = fmt::format("no method for {} takes rational curves (column w); `curve eval`, `derivative`, `split` and `box` do", problem);
   else if (curve.form == Form::power)
     why = fmt::format("no method for {} takes the power form; see `curve convert`", problem);
-  throw Failure(Exit::usage, fmt::format("{}: {}", name, why));
+  throw Failure(Exit::usage, "{}: {}", name, why);
 }
 
 void require_point(const reference::ExactPoint& point, double t, const std::string& name) {
@@ -123,11 +123,10 @@ void require_point(const reference::ExactPoint& point, double t, const std::stri
 
 void unknown_method(const std::string& id, Problem problem) {
   for (const auto& peer : peers::absent())
-    if (peer.id == id)
-      throw Failure(Exit::usage, fmt::format("--method {}: is not in this build; {}", id, peer.remedy));
+    if (peer.id == id) throw Failure(Exit::usage, "--method {}: is not in this build; {}", id, peer.remedy);
   const auto guess = suite::nearest(id, methods_of(problem)());
-  throw Failure(Exit::usage, fmt::format("--method {}: no such method{}; see `list methods`", id,
-                                         guess.empty() ? "" : fmt::format(", did you mean \"{}\"?", guess)));
+  throw Failure(Exit::usage, "--method {}: no such method{}; see `list methods`", id,
+                guess.empty() ? "" : fmt::format(", did you mean \"{}\"?", guess));
 }
 
 void TruthOption::add_to(Command command) {
@@ -170,9 +169,7 @@ std::vector<std::string> judged_coordinate(double value, const reference::Ration
                                            const reference::Rational& p_tilde, std::optional<double> bound) {
   const auto judged = reference::coordinate_error(value, truth, p_tilde);
   const auto bound_u = bound ? reference::bound_units(*bound, p_tilde) : std::nullopt;
-  return {number::decimal(value),          number::decimal(judged.exact),
-          number::decimal(judged.error),   number::decimal(judged.error_ulp),
-          number::decimal(judged.error_u), bound_u ? number::decimal(*bound_u) : ""};
+  return tables::texts(value, judged.exact, judged.error, judged.error_ulp, judged.error_u, bound_u);
 }
 
 void CurveTable::add_point(const std::vector<std::string>& first, std::span<const double> point,
@@ -234,6 +231,19 @@ int largest_dimension(std::span<const CurveFile> curves) {
 void say_left_out(const std::string& name, std::size_t count, std::size_t all, std::string_view why) {
   fmt::print(stderr, "bezierbench: {}: {} of {} left out, the first because: {}\n", printable(name), count, all,
              printable(why));
+}
+
+extern const CurveCommand curve_eval, curve_convert, curve_derivative, curve_length, curve_at_length, curve_project,
+    curve_interpolate, curve_fit, curve_split, curve_grid, curve_bspline, curve_spaced, curve_flatten, curve_box,
+    curve_ease;
+
+void add_curve(Command program, Exit& /*exit*/) {
+  auto curve = program.command("curve", "solve one problem by any method, with its true error");
+  curve.needs_command();
+  for (const auto* one : {&curve_eval, &curve_convert, &curve_derivative, &curve_length, &curve_at_length,
+                          &curve_project, &curve_interpolate, &curve_fit, &curve_split, &curve_grid, &curve_bspline,
+                          &curve_spaced, &curve_flatten, &curve_box, &curve_ease})
+    one->add(curve.command(one->name, one->help));
 }
 
 }  // namespace bezierbench::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the `curve` commands share: their options, the choice of methods, the truth that may take long, and the table that
-// they print, of one curve or of every curve of a file.
+// What the `curve` commands share: their options, the choice of methods, the truth that may take long, and the table
+// that they print, of one curve or of every curve of a file.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,9 +20,10 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/command.hpp"
 #include "experiments/cli/curve/curve_file.hpp"
-#include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/cli/startup/this_build.hpp"
 #include "experiments/failure.hpp"
-#include "experiments/suite/pattern.hpp"
+#include "experiments/suite/ids.hpp"
+#include "experiments/tables/table_row.hpp"
 #include "reference/exact_point.hpp"
 #include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
@@ -94,7 +95,7 @@ std::vector<const Kernel*> chosen(std::span<const Kernel> table, const std::vect
       if (entry.info->id == id && (candidate == nullptr || applies(*entry.info, curve))) candidate = &entry;
     if (candidate == nullptr) unknown_method(id, problem);
     if (!applies(*candidate->info, curve))
-      throw Failure(Exit::usage, fmt::format("--method {}: {}", id, why_not(*candidate->info, curve)));
+      throw Failure(Exit::usage, "--method {}: {}", id, why_not(*candidate->info, curve));
     result.push_back(candidate);
   }
   if (!ids.empty()) return result;
@@ -130,13 +131,13 @@ class TruthOption {
 /// The columns of a table of judged coordinates: `first`, then axis,value,exact,error,error_ulp,error_u,bound_u.
 std::vector<std::string> judged_columns(std::vector<std::string> first);
 
-/// The fields of value,exact,error,error_ulp,error_u,bound_u. Errors are infinite where `value` is not finite; error_u is
-/// infinite where p~ is 0 and the error is not. bound_u is empty where no bound is proved or p~ is 0.
+/// The fields of value,exact,error,error_ulp,error_u,bound_u. Errors are infinite where `value` is not finite; error_u
+/// is infinite where p~ is 0 and the error is not. bound_u is empty where no bound is proved or p~ is 0.
 std::vector<std::string> judged_coordinate(double value, const reference::Rational& truth,
                                            const reference::Rational& p_tilde, std::optional<double> bound);
 
-/// A table whose rows begin with the id of their curve if there are several, and then with the number of the question, from
-/// 0, if there are several for each curve.
+/// A table whose rows begin with the id of their curve if there are several, and then with the number of the question,
+/// from 0, if there are several for each curve.
 class CurveTable {
  public:
   CurveTable(bool several_curves, bool several_questions, std::vector<std::string> columns)
@@ -152,8 +153,8 @@ class CurveTable {
     table_.add_row(begun_with(id_, std::to_string(question), std::move(fields)));
   }
 
-  /// Adds a row of judged_columns() for each axis of a point. `first` are the fields before that of the axis; `bound` of
-  /// an axis is in coordinate units, empty where none is proved.
+  /// Adds a row of judged_columns() for each axis of a point. `first` are the fields before that of the axis; `bound`
+  /// of an axis is in coordinate units, empty where none is proved.
   void add_point(const std::vector<std::string>& first, std::span<const double> point,
                  const reference::ExactPoint& truth, const reference::ExactPoint& p_tilde,
                  const std::function<std::optional<double>(int axis)>& bound);
@@ -187,13 +188,15 @@ struct CurveCase {
 /// The fields of a point in tables of several dimensions: its coordinates, then empty fields.
 std::vector<std::string> point_fields(std::span<const double> point, int dimension);
 
-/// The fields of the point of a curve at t, each coordinate the nearest number; empty where t or the point is not finite.
+/// The fields of the point of a curve at t, each coordinate the nearest number; empty where t or the point is not
+/// finite.
 std::vector<std::string> point_fields_at(const CurveView<double>& curve, double t, int dimension);
 
 /// The largest dimension of the curves.
 int largest_dimension(std::span<const CurveFile> curves);
 
-/// Says on standard error how many curves of a file were left out, since no method takes them, and why the first one was.
+/// Says on standard error how many curves of a file were left out, since no method takes them, and why the first one
+/// was.
 void say_left_out(const std::string& name, std::size_t count, std::size_t all, std::string_view why);
 
 /// `columns`, then those of the axes.
@@ -205,8 +208,8 @@ std::vector<std::span<const CurveFile>> paths_of(std::span<const CurveFile> curv
 /// The part of the id of a segment that names its path: logo:0 of logo:0:3; the id itself where it has no such part.
 std::string path_id(const std::string& id);
 
-/// The methods that --method names, or else all that apply, of every curve; of a path those that take all its segments, in
-/// the same order for each. Throws Failure(usage) where there is none.
+/// The methods that --method names, or else all that apply, of every curve; of a path those that take all its segments,
+/// in the same order for each. Throws Failure(usage) where there is none.
 template <class Task>
 auto cases_of(std::span<const CurveFile> curves, const std::string& name, const std::vector<std::string>& ids,
               int dimension) {
@@ -230,9 +233,9 @@ auto cases_of(std::span<const CurveFile> curves, const std::string& name, const 
 
 /// The command that adds rows for every curve of a file. `Task` has `problem`, `columns()` or `columns(dimension)`, and
 /// `kernels(dimension)`, and holds the values of its own options. It may have `prepare(whole_path)`, which checks them,
-/// `questions()`, how many there are for each curve, the option `truth`, `path_columns(dimension)` with `add_path_rows()`,
-/// which answers for a whole path, and the flag `control_points` with `control_points_help` and `add_to_set()`, which adds curves in place of rows.
-/// Curves that no method takes are left out, unless they are all.
+/// `questions()`, how many there are for each curve, the option `truth`, `path_columns(dimension)` with
+/// `add_path_rows()`, which answers for a whole path, and the flag `control_points` with `control_points_help` and
+/// `add_to_set()`, which adds curves in place of rows. Curves that no method takes are left out, unless they are all.
 template <class Task>
 void add_curve_command(Command command) {
   struct Options {

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <iostream>
@@ -25,8 +24,8 @@ std::string contents_of(const std::string& file) {
   if (file != "-") {
     std::error_code error;
     if (const auto size = std::filesystem::file_size(file, error); !error && size > curves::most_bytes)
-      throw Failure(Exit::input_output, fmt::format("{}: {} bytes; at most {} are read, so split the file", file, size,
-                                                    curves::most_bytes));
+      throw Failure(Exit::input_output, "{}: {} bytes; at most {} are read, so split the file", file, size,
+                    curves::most_bytes);
     return bundle::read_file(file);
   }
   std::string text;
@@ -63,7 +62,7 @@ std::vector<CurveFile> curves_in(const curves::CurveSet& set) {
 }
 
 std::vector<CurveFile> not_empty(std::vector<CurveFile> curves, const std::string& name) {
-  if (curves.empty()) throw Failure(Exit::input_output, fmt::format("{}: no curves; see `curves {}`", name, name));
+  if (curves.empty()) throw Failure(Exit::input_output, "{}: no curves; see `curves {}`", name, name);
   return curves;
 }
 
@@ -82,7 +81,7 @@ curves::Read read_set(const std::string& file, Form form) {
   try {
     return read_or_fail([&] { return curves::read(contents, file, {form}); });
   } catch (const std::invalid_argument& error) {
-    throw Failure(Exit::usage, fmt::format("--form {}: {}", name(form), error.what()));
+    throw Failure(Exit::usage, "--form {}: {}", name(form), error.what());
   }
 }
 
@@ -100,9 +99,8 @@ std::vector<CurveFile> read_curves(const std::string& name, Form form) {
     if (set.id(k).starts_with(beginning)) path.push_back(curve_in(set, k));
   if (path.empty())
     throw Failure(Exit::usage,
-                  fmt::format("--curve {}: {} has no such curve; it has {}, write an id of its column curve, "
-                              "or a number from 0",
-                              echo(name), file, set.size()));
+                  "--curve {}: {} has no such curve; it has {}, write an id of its column curve, or a number from 0",
+                  echo(name), file, set.size());
   return path;
 }
 
@@ -130,8 +128,8 @@ PointList read_points(const std::string& file, std::size_t least) {
   const auto contents = contents_of(file);
   auto points = read_or_fail([&] { return curves::read_points_csv(contents, file); });
   if (points.count() < least)
-    throw Failure(Exit::input_output, fmt::format("{}: {} point{}; write {} or more, one per row", file, points.count(),
-                                                  points.count() == 1 ? "" : "s", least));
+    throw Failure(Exit::input_output, "{}: {} point{}; write {} or more, one per row", file, points.count(),
+                  points.count() == 1 ? "" : "s", least);
   return points;
 }
 

@@ -33,12 +33,12 @@ struct CurveFile {
 };
 
 /// Reads all curves of a file; `-` is standard input. Polynomial coefficients are in `form` where the file states none.
-/// Throws Failure(input_output) for a file that cannot be read, and Failure(usage) where `form` is power and the weights of
-/// a file belong to control points.
+/// Throws Failure(input_output) for a file that cannot be read, and Failure(usage) where `form` is power and the
+/// weights of a file belong to control points.
 curves::Read read_set(const std::string& file, Form form);
 
-/// Reads what an option --curve names: a file, or FILE#ID: one curve by its id or else by its number from 0, or else the
-/// curves of the path or part of a path whose ids begin with `ID:`. A file of the whole name comes first. Throws as
+/// Reads what an option --curve names: a file, or FILE#ID: one curve by its id or else by its number from 0, or else
+/// the curves of the path or part of a path whose ids begin with `ID:`. A file of the whole name comes first. Throws as
 /// read_set() does, and Failure(usage) for a curve that is not in it.
 std::vector<CurveFile> read_curves(const std::string& name, Form form);
 

@@ -67,9 +67,9 @@ void Derivative::add_to_set(std::span<const CurveCase<DerivativeKernel>> cases, 
                                            cases.front().name));
   const auto coefficients = reference::ExactCurve().derivative_coefficients(curve.view(), order);
   if (std::ranges::any_of(coefficients, [](double value) { return !std::isfinite(value); }))
-    throw Failure(Exit::input_output, fmt::format("{}: a coefficient of the derivative is beyond the largest double; "
-                                                  "scale the coordinates down",
-                                                  cases.front().name));
+    throw Failure(Exit::input_output,
+                  "{}: a coefficient of the derivative is beyond the largest double; scale the coordinates down",
+                  cases.front().name);
   set.add(id.empty() ? fmt::format("order_{}", order) : id,
           {curve.form, curve.dimension, std::max(curve.degree() - order, 0), coefficients});
 }

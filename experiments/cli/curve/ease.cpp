@@ -25,8 +25,8 @@ struct EasingCase {
 /// Throws Failure(usage) unless x1 and x2 are in [0, 1].
 EasingCase checked(const std::string& name, std::string id, const EasingCurve<double>& curve) {
   if (!is_easing(curve))
-    throw Failure(Exit::usage, fmt::format("{}: x1 and x2 must be in [0, 1], but are {} and {}", name,
-                                           number::decimal(curve.x1), number::decimal(curve.x2)));
+    throw Failure(Exit::usage, "{}: x1 and x2 must be in [0, 1], but are {} and {}", name, number::decimal(curve.x1),
+                  number::decimal(curve.x2));
   return {std::move(id), curve};
 }
 
@@ -35,8 +35,8 @@ std::vector<EasingCase> cases_of(const EaseOptions& options) {
   for (const auto& text : options.beziers) {
     const auto values = finite_numbers("--bezier", text);
     if (values.size() != 4)
-      throw Failure(Exit::usage, fmt::format("--bezier {}: {} number{}; write X1,Y1,X2,Y2", text, values.size(),
-                                             values.size() == 1 ? "" : "s"));
+      throw Failure(Exit::usage, "--bezier {}: {} number{}; write X1,Y1,X2,Y2", text, values.size(),
+                    values.size() == 1 ? "" : "s");
     cases.push_back(checked("--bezier " + text, text, {values[0], values[1], values[2], values[3]}));
   }
   if (options.file)
@@ -45,7 +45,7 @@ std::vector<EasingCase> cases_of(const EaseOptions& options) {
       const auto& c = curve.coefficients;
       const bool is_plane_cubic = curve.form == Form::bernstein && curve.dimension == 2 && curve.degree() == 3;
       if (!is_plane_cubic || c[0] != 0 || c[1] != 0 || c[6] != 1 || c[7] != 1)
-        throw Failure(Exit::usage, fmt::format("{}: must be a plane cubic from (0, 0) to (1, 1)", name));
+        throw Failure(Exit::usage, "{}: must be a plane cubic from (0, 0) to (1, 1)", name);
       cases.push_back(checked(name, curve.id, {c[2], c[3], c[4], c[5]}));
     }
   if (cases.empty()) throw Failure(Exit::usage, "--bezier is required; write --bezier X1,Y1,X2,Y2, or --curve FILE");

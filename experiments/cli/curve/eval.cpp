@@ -30,8 +30,8 @@ void require_points(const std::vector<double>& ts, CurveCase<Kernel<double>>& on
   const auto ends_there = [](const auto* kernel) { return kernel->info->unit_interval_only; };
   const auto ended = std::ranges::find_if(one.methods, ends_there);
   if (one.named && ended != one.methods.end())
-    throw Failure(Exit::usage, fmt::format("--method {}: takes t in [0,1] only, --t is {}; see `list methods`",
-                                           (*ended)->info->id, number::decimal(*outside)));
+    throw Failure(Exit::usage, "--method {}: takes t in [0,1] only, --t is {}; see `list methods`", (*ended)->info->id,
+                  number::decimal(*outside));
   std::erase_if(one.methods, ends_there);
 }
 

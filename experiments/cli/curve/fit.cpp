@@ -28,18 +28,16 @@ std::vector<double> direction_option(const std::string& option, const std::optio
   if (!text) return {};
   auto direction = finite_coordinates(option, *text, dimension, "the points have");
   if (std::ranges::all_of(direction, [](double x) { return x == 0; }))
-    throw Failure(Exit::usage,
-                  fmt::format("{} {}: the zero vector has no direction; leave the option out, or give one that has",
-                              option, *text));
+    throw Failure(Exit::usage, "{} {}: the zero vector has no direction; leave the option out, or give one that has",
+                  option, *text);
   return direction;
 }
 
 void fit(const FitOptions& options) {
   const double tolerance = finite_option("--tolerance", options.tolerance);
   if (tolerance < 0)
-    throw Failure(Exit::usage, fmt::format("--tolerance {}: must be 0 or more; it is a distance, in the units of the "
-                                           "coordinates",
-                                           options.tolerance));
+    throw Failure(Exit::usage, "--tolerance {}: must be 0 or more; it is a distance, in the units of the coordinates",
+                  options.tolerance);
   auto points = read_points(options.points);
   const int d = points.dimension;
   auto& x = points.coordinates;
@@ -50,8 +48,8 @@ void fit(const FitOptions& options) {
   const auto& method = chosen_one(fitting_kernels(d), options.method, Problem::fitting);
   const auto fit = method.fit(x, tolerance, {start, end});
   if (!fit.converged)
-    throw Failure(Exit::input_output,
-                  fmt::format("{}: a control point exceeds the largest double; scale the points down", options.points));
+    throw Failure(Exit::input_output, "{}: a control point exceeds the largest double; scale the points down",
+                  options.points);
   fmt::print("{}", segments_csv(fit.control_points, d));
   const int segments = fit.segments(d);
   fmt::print(stderr, "bezierbench: {} segment{}, maximum error {}\n", segments, segments == 1 ? "" : "s",

@@ -28,7 +28,7 @@ struct Flatten {
   }
   void prepare(bool /*whole_path*/) {
     tolerance_ = finite_option("--tolerance", tolerance);
-    if (tolerance_ <= 0) throw Failure(Exit::usage, fmt::format("--tolerance {}: must be above 0", echo(tolerance)));
+    if (tolerance_ <= 0) throw Failure(Exit::usage, "--tolerance {}: must be above 0", echo(tolerance));
   }
   void add_rows(const CurveCase<FlattenKernel>& one, CurveTable& table) const;
   /// Adds the chords of the first method, as curves of degree 1 that make a path.
@@ -74,9 +74,8 @@ void Flatten::add_to_set(std::span<const CurveCase<FlattenKernel>> cases, const 
   Flattening chords;
   one.methods.front()->flatten(one.curve.view(), tolerance_, chords);
   if (!std::ranges::all_of(chords.points, [](double x) { return std::isfinite(x); }))
-    throw Failure(
-        Exit::input_output,
-        fmt::format("{}: a point of the chords is beyond the largest double; scale the coordinates down", one.name));
+    throw Failure(Exit::input_output,
+                  "{}: a point of the chords is beyond the largest double; scale the coordinates down", one.name);
   const int dimension = one.curve.dimension;
   const auto d = static_cast<std::size_t>(dimension);
   for (std::size_t k = 0; k + 1 < chords.t.size(); ++k)

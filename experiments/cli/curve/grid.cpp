@@ -4,7 +4,7 @@
 
 #include "core/grid/kernel.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
-#include "experiments/metric/bound_at.hpp"
+#include "experiments/metric/derivative_scale.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/number/number.hpp"
 
@@ -27,8 +27,7 @@ struct Grid {
 void Grid::add_rows(const CurveCase<GridKernel>& one, CurveTable& table) const {
   const int steps = points - 1;
   if (!is_grid(steps))
-    throw Failure(Exit::usage,
-                  fmt::format("--points {}: must be a power of two and one, 2 to {}", points, max_grid_steps + 1));
+    throw Failure(Exit::usage, "--points {}: must be a power of two and one, 2 to {}", points, max_grid_steps + 1);
   const auto curve = one.curve.view();
   const auto d = static_cast<std::size_t>(curve.dimension);
   std::vector<CurveFile> coordinates;

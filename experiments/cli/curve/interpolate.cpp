@@ -41,7 +41,8 @@ Parameters parameters_of(const InterpolateOptions& options) {
   return options.method.empty() ? Parameters{} : Parameters::uniform;
 }
 
-/// One number per axis. Throws Failure(usage) for another count, and where the option and clamped ends are not together.
+/// One number per axis. Throws Failure(usage) for another count, and where the option and clamped ends are not
+/// together.
 std::vector<double> derivative_of(const std::string& option, const std::optional<std::string>& text, bool clamped,
                                   int dimension) {
   if (clamped != text.has_value())
@@ -57,9 +58,9 @@ std::vector<double> steps_of(const InterpolateOptions& options, const PointList&
   const auto repeated = static_cast<std::size_t>(std::ranges::find(steps, 0.0) - steps.begin());
   if (repeated < steps.size())
     throw Failure(Exit::input_output,
-                  fmt::format("{}:{}: repeats the point before it, so that the parameter takes no step; leave the row "
-                              "out, or see --parameters uniform",
-                              options.points, points.lines[(repeated + 1) % points.count()]));
+                  "{}:{}: repeats the point before it, so that the parameter takes no step; leave the row out, or see "
+                  "--parameters uniform",
+                  options.points, points.lines[(repeated + 1) % points.count()]);
   return steps;
 }
 
@@ -70,7 +71,7 @@ void interpolate(const InterpolateOptions& options) {
   const auto ends = word_of<SplineEnds>(spline_ends_names, options.ends);
   const bool clamped = ends == SplineEnds::clamped;
   if (options.closed && ends != SplineEnds::natural)
-    throw Failure(Exit::usage, fmt::format("--ends {}: a closed spline has no ends; leave --closed out", options.ends));
+    throw Failure(Exit::usage, "--ends {}: a closed spline has no ends; leave --closed out", options.ends);
   const auto start = derivative_of("--start-derivative", options.start_derivative, clamped, points.dimension);
   const auto end = derivative_of("--end-derivative", options.end_derivative, clamped, points.dimension);
   const bool by_method = !options.method.empty();
@@ -78,17 +79,18 @@ void interpolate(const InterpolateOptions& options) {
                                  : interpolation_kernels().front();
   if (by_method && (parameters_of(options) != Parameters::uniform || ends != SplineEnds::natural || options.closed ||
                     options.monotone))
-    throw Failure(Exit::usage, fmt::format("--method {}: has uniform parameters and natural ends, is open and not "
-                                           "monotone; leave --method or the other options out",
-                                           options.method));
+    throw Failure(Exit::usage,
+                  "--method {}: has uniform parameters and natural ends, is open and not monotone; leave --method or "
+                  "the other options out",
+                  options.method);
   const auto segments = by_method ? kernel.interpolate(points.coordinates, points.dimension)
                                   : spline_segments(points.coordinates, points.dimension, steps_of(options, points),
                                                     {ends, options.closed, options.monotone, start, end});
   const auto beyond = std::ranges::find_if(segments, [](double value) { return !std::isfinite(value); });
   if (beyond != segments.end())
     throw Failure(Exit::input_output,
-                  fmt::format("{}: a control point of segment {} exceeds the largest double; scale the points down",
-                              options.points, (beyond - segments.begin()) / (4 * points.dimension)));
+                  "{}: a control point of segment {} exceeds the largest double; scale the points down", options.points,
+                  (beyond - segments.begin()) / (4 * points.dimension));
   fmt::print("{}", segments_csv(segments, points.dimension));
 }
 

@@ -51,7 +51,7 @@ void Length::prepare(bool whole_path) {
   const double first = finite_option("--from", from);
   const double last = finite_option("--to", to);
   if (first < -relative_ || last > 1 + relative_ || first > last)
-    throw Failure(Exit::usage, fmt::format("--from {} --to {}: must be in order and within 0 and 1", from, to));
+    throw Failure(Exit::usage, "--from {} --to {}: must be in order and within 0 and 1", from, to);
   // A computed parameter of an end, as `at-length` prints it, may be outside by the tolerance.
   first_ = std::clamp(first, 0.0, 1.0);
   last_ = std::clamp(last, 0.0, 1.0);

@@ -61,9 +61,8 @@ std::vector<double> Project::point(std::size_t question, const CurveCase<Project
     return finite_coordinates("--point", points[question], one.curve.dimension,
                               fmt::format("the curve in {} has", one.name));
   if (from_file.dimension != one.curve.dimension)
-    throw Failure(Exit::usage,
-                  fmt::format("--points {}: {} coordinates, but the curve in {} has {}; write one per axis", *file,
-                              from_file.dimension, one.name, one.curve.dimension));
+    throw Failure(Exit::usage, "--points {}: {} coordinates, but the curve in {} has {}; write one per axis", *file,
+                  from_file.dimension, one.name, one.curve.dimension);
   const auto d = static_cast<std::size_t>(from_file.dimension);
   const auto coordinates = std::span(from_file.coordinates).subspan((question - points.size()) * d, d);
   return {coordinates.begin(), coordinates.end()};

@@ -25,14 +25,12 @@ std::vector<SpacedSegment> spaced_segments(std::span<const CurveFile> curves, co
   for (const auto& curve : curves) {
     if (curve.form != Form::bernstein)
       throw Failure(Exit::usage,
-                    fmt::format("{}: is in {} form; lengths are those of curves in bernstein form, so choose "
-                                "others with FILE#ID{}",
-                                name, bezierbench::name(curve.form),
-                                curve.form == Form::power ? ", or see `curve convert`" : ""));
+                    "{}: is in {} form; lengths are those of curves in bernstein form, so choose others with FILE#ID{}",
+                    name, bezierbench::name(curve.form), curve.form == Form::power ? ", or see `curve convert`" : "");
     try {
       segments.push_back({&curve, reference::LengthAlong<LongReal>(curve.view())});
     } catch (const reference::NotCertain& error) {
-      throw Failure(Exit::input_output, fmt::format("{}: {}; choose another curve", name, error.what()));
+      throw Failure(Exit::input_output, "{}: {}; choose another curve", name, error.what());
     }
   }
   return segments;

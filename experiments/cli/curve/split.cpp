@@ -70,9 +70,10 @@ struct SplitTarget {
     for (const auto* half : {&exact.left, &exact.right})
       for (const auto& point : half->points)
         if (!point.exists())
-          throw Failure(Exit::usage, fmt::format("--t {}: a control point of a half would have the weight zero, so {} "
-                                                 "cannot be split there; see column w or choose another t",
-                                                 text, one.name));
+          throw Failure(Exit::usage,
+                        "--t {}: a control point of a half would have the weight zero, so {} cannot be split there; "
+                        "see column w or choose another t",
+                        text, one.name);
   }
 
   double t;
@@ -121,8 +122,8 @@ std::size_t Split::chosen_segment(std::span<const CurveCase<SplitKernel>> segmen
   if (!whole_path_) return 0;
   const auto number = number::parse_integer(*segment_text);
   if (!number || *number < 0 || static_cast<std::size_t>(*number) >= segments.size())
-    throw Failure(Exit::usage, fmt::format("--segment {}: {} has segments 0 to {}; write one of them",
-                                           echo(*segment_text), segments.front().name, segments.size() - 1));
+    throw Failure(Exit::usage, "--segment {}: {} has segments 0 to {}; write one of them", echo(*segment_text),
+                  segments.front().name, segments.size() - 1);
   return static_cast<std::size_t>(*number);
 }
 
@@ -136,9 +137,7 @@ void Split::add_to_set(std::span<const CurveCase<SplitKernel>> segments, const s
   const studies::ComputedHalves computed(one.curve.view(), std::move(numbers));
   if (!computed.all_finite())
     throw Failure(Exit::input_output,
-                  fmt::format("{}: a control point of a half is beyond the largest double; scale the "
-                              "coordinates down",
-                              one.name));
+                  "{}: a control point of a half is beyond the largest double; scale the coordinates down", one.name);
   const auto prefix = id.empty() ? "" : id + ":";
   std::size_t count = 0;
   const auto add = [&](const char* half, const CurveView<double>& curve) {

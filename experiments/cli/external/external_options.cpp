@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/cli/external/external_options.hpp"
 
-#include <fmt/format.h>
-
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/digest.hpp"
-#include "experiments/external/answers.hpp"
+#include "experiments/external/method.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/run/interruption.hpp"
 #include "reference/number/number.hpp"
@@ -17,7 +15,7 @@ namespace {
 double positive(std::string_view option, const std::string& text, double most) {
   const auto number = number::parse_number(text);
   if (!number || !(*number > 0 && *number <= most))
-    throw Failure(Exit::usage, fmt::format("{} {}: must be above 0 and at most {}", option, text, most));
+    throw Failure(Exit::usage, "{} {}: must be above 0 and at most {}", option, text, most);
   return *number;
 }
 
@@ -47,7 +45,7 @@ external::Methods ExternalOptions::methods() const {
   for (const auto& command : programs_) methods.push_back(external::program(command, limits, run::interrupted));
   for (const auto& method : methods)
     if (external::find(methods, method->record().id) != method.get())
-      throw Failure(Exit::usage, fmt::format("two external methods have the id {}; change one", method->record().id));
+      throw Failure(Exit::usage, "two external methods have the id {}; change one", method->record().id);
   return methods;
 }
 
@@ -70,9 +68,8 @@ void require_recorded(const std::string& suite_file, const external::Methods& gi
   for (const auto& recorded : suite::parse_external(bundle::read_file(suite_file), suite_file))
     if (external::find(given, recorded.id) == nullptr)
       throw Failure(Exit::usage,
-                    fmt::format("{}: names the external method {} ({} {}); give it with --{}, or remove "
-                                "its [[external]] table",
-                                suite_file, recorded.id, name(recorded.kind), recorded.source, name(recorded.kind)));
+                    "{}: names the external method {} ({} {}); give it with --{}, or remove its [[external]] table",
+                    suite_file, recorded.id, name(recorded.kind), recorded.source, name(recorded.kind));
 }
 
 }  // namespace bezierbench::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `inputs`: the inputs of accuracy studies as CSV, for methods that run elsewhere. `judge`: the errors of the answers, as
-// accuracy.csv has them.
+// `inputs`: the inputs of accuracy studies as CSV, for methods that run elsewhere. `judge`: the errors of the
+// answers, as accuracy.csv has them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,12 +15,10 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/external/external_options.hpp"
-#include "experiments/cli/startup/curve_sets.hpp"
-#include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/cli/startup/this_build.hpp"
-#include "experiments/cli/startup/vocabulary.hpp"
-#include "experiments/external/answers.hpp"
+#include "experiments/cli/terminal/text.hpp"
+#include "experiments/external/method.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/input_fields.hpp"
 #include "experiments/sample/curve_slice.hpp"
@@ -29,7 +27,6 @@
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/external.hpp"
 #include "experiments/suite/text/reader.hpp"
-#include "experiments/suite/text/writer.hpp"
 #include "experiments/tables/cell_fields.hpp"
 #include "reference/number/number.hpp"
 
@@ -111,9 +108,8 @@ void add_row(const bundle::CsvDocument& table, std::size_t row, const std::strin
              std::vector<suite::Suite>& suites, GivenSets& given) {
   const auto read = [&](std::string_view column, auto parse, std::string_view what) {
     if (const auto value = parse(table.at(row, column))) return *value;
-    throw Failure(Exit::input_output,
-                  fmt::format("{}:{}: {} is not {}; leave the columns of `bezierbench inputs` as they are",
-                              table.file_name(), table.line(row), column, what));
+    throw Failure(Exit::input_output, "{}:{}: {} is not {}; leave the columns of `bezierbench inputs` as they are",
+                  table.file_name(), table.line(row), column, what);
   };
   const auto number = [&](std::string_view column) { return read(column, number::parse_number, "a number"); };
   const auto whole = [&](std::string_view column) { return read(column, number::parse_integer, "a whole number"); };
@@ -208,9 +204,8 @@ bundle::CsvTable input_table(const std::vector<suite::Suite>& suites) {
   if (bytes == 0)
     throw Failure(Exit::usage, "no study is of kind accuracy in double; choose other suites, see `list studies`");
   if (bytes > largest)
-    throw Failure(
-        Exit::usage,
-        fmt::format("the inputs would take {:.0f} GB; choose fewer with --trials, --only or --set", bytes / largest));
+    throw Failure(Exit::usage, "the inputs would take {:.0f} GB; choose fewer with --trials, --only or --set",
+                  bytes / largest);
   bundle::CsvTable table(columns_of_inputs());
   for (const auto& one : suites)
     for (const auto& study : one.studies)
@@ -258,9 +253,8 @@ std::vector<suite::Suite> suites_of(const bundle::CsvDocument& table, const std:
   GivenSets given;
   for (std::size_t row = 0; row < table.row_count(); ++row) add_row(table, row, method, suites, given);
   if (suites.empty())
-    throw Failure(
-        Exit::input_output,
-        fmt::format("{}: has no rows; leave the columns of `bezierbench inputs` as they are", table.file_name()));
+    throw Failure(Exit::input_output, "{}: has no rows; leave the columns of `bezierbench inputs` as they are",
+                  table.file_name());
   auto known = vocabulary();
   known.methods.push_back(method);
   try {  // what a file says goes through the checks of a suite
@@ -270,8 +264,8 @@ std::vector<suite::Suite> suites_of(const bundle::CsvDocument& table, const std:
     return checked;
   } catch (const Failure& failure) {
     throw Failure(Exit::input_output,
-                  fmt::format("{}: is not of a suite ({}); leave the columns of `bezierbench inputs` as they are",
-                              table.file_name(), failure.what()));
+                  "{}: is not of a suite ({}); leave the columns of `bezierbench inputs` as they are",
+                  table.file_name(), failure.what());
   }
 }
 

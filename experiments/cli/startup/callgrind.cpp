@@ -7,11 +7,10 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <string_view>
 
 #include "experiments/bundle/atomic_file.hpp"
-#include "experiments/cli/startup/diagnostics.hpp"
 #include "experiments/cli/startup/suite_options.hpp"
+#include "experiments/cli/terminal/text.hpp"
 #include "experiments/external/child.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/race/counts.hpp"
@@ -42,7 +41,7 @@ class Folder {
  public:
   Folder() : path_((fs::temp_directory_path() / "bezierbench-counts-XXXXXX").string()) {
     if (mkdtemp(path_.data()) == nullptr)
-      throw Failure(Exit::input_output, fmt::format("{}: cannot be created; set TMPDIR to another folder", path_));
+      throw Failure(Exit::input_output, "{}: cannot be created; set TMPDIR to another folder", path_);
   }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
@@ -93,8 +92,8 @@ std::string run_llvm(std::vector<std::string> command, const std::string& input)
   };
   auto ended = external::run_in_child(work, input, max_output, limits, run::interrupted);
   if (ended.end != external::End::exited || ended.code != 0)
-    throw Failure(Exit::environment, fmt::format("{} failed: {}", command[0],
-                                                 echo(ended.errors.empty() ? "it was stopped" : ended.errors)));
+    throw Failure(Exit::environment, "{} failed: {}", command[0],
+                  echo(ended.errors.empty() ? "it was stopped" : ended.errors));
   return std::move(ended.output);
 }
 
@@ -105,8 +104,7 @@ void add_cycles(std::vector<std::string>& files) {
     throw Failure(Exit::environment, "only the code of x86-64 is modelled");
 #endif
     for (const char* program : {race::disassembler, race::simulator})
-      if (!folder_on_path(program))
-        throw Failure(Exit::environment, fmt::format("{} is not installed; install llvm-19", program));
+      if (!folder_on_path(program)) throw Failure(Exit::environment, "{} is not installed; install llvm-19", program);
     race::add_cycles(files, own_program(), run_llvm);
   } catch (const std::exception& error) {  // of numbers, too, where LLVM's output is not what is expected
     if (!run::interrupted()) say(fmt::format("no cycles of other processors: {}", error.what()));
@@ -129,8 +127,8 @@ std::vector<std::string> counts_by_callgrind() {
     throw Failure(Exit::environment,
                   "--counts: Valgrind does not know an instruction of this build; build it without -march=native");
   if (ended.end != external::End::exited || ended.code != 0)
-    throw Failure(Exit::environment, fmt::format("--counts: {} failed: {}; leave --counts out", valgrind,
-                                                 echo(ended.errors.empty() ? "it was stopped" : ended.errors)));
+    throw Failure(Exit::environment, "--counts: {} failed: {}; leave --counts out", valgrind,
+                  echo(ended.errors.empty() ? "it was stopped" : ended.errors));
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(folder.path())) files.push_back(bundle::read_file(entry.path()));
   add_cycles(files);

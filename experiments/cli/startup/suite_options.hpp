@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The suites that a command is given, and the options that change them.
+// The suites that a command is given, the options that change them, and the curve sets that they name: files, or
+// shipped sets by their ids.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "experiments/cli/command.hpp"
+#include "experiments/sample/curve_slice.hpp"
+#include "experiments/suite/suite.hpp"
 #include "experiments/suite/text/overrides.hpp"
 
 namespace bezierbench::cli {
 
-// The suites, curve sets and answers that come with the program: files beside it, not a part of it, so that whoever installs it can read them.
+// The suites, curve sets and answers that come with the program: files beside it, not a part of it, so that whoever
+// installs it can read them.
 
 /// The folder of the suites: share/bezierbench/suites beside the folder of an installed program; for a program in its
 /// build folder `suites` there, a link that CMake makes to those of the source. Throws Failure(Exit::environment)
@@ -36,8 +43,8 @@ std::optional<std::filesystem::path> folder_on_path(std::string_view program);
 /// with this id. Throws Failure(Exit::usage) where there is none.
 std::filesystem::path suite_file(const std::string& word);
 
-/// scripts/report of the source, for a program in its build folder, or of share/bezierbench, for an installed one. Throws
-/// Failure(Exit::environment) where neither is there.
+/// scripts/report of the source, for a program in its build folder, or of share/bezierbench, for an installed one.
+/// Throws Failure(Exit::environment) where neither is there.
 std::filesystem::path report_script();
 
 class SuiteOptions {
@@ -64,5 +71,28 @@ class SuiteOptions {
   std::optional<std::string> trials_;
   suite::Overrides overrides_;
 };
+
+/// The ids of the shipped sets, sorted.
+std::vector<std::string> shipped_curves();
+
+/// A set that is not read from a file; `id` as in the tables of a bundle.
+std::shared_ptr<const sample::LoadedSet> set_of(std::string_view id, curves::CurveSet given);
+
+/// Reads the sets of all studies into Study::sets. An entry with `/` or a known extension is a file, relative to the
+/// suite's; any other is the id of a shipped set; SET#GLOB takes the curves whose ids match. States their SHA-256 in
+/// the study. Throws Failure(usage) for what is not a set, for a set without curves and for another SHA-256 than the
+/// study states, and Failure(input_output) for a file that cannot be read.
+void load_curves(std::vector<suite::Suite>& suites);
+
+/// Names the files by copies that are to lie beside the suites, in a bundle, and returns these, name and text. Shipped
+/// sets keep their ids.
+std::vector<std::pair<std::string, std::string>> curves_beside(std::vector<suite::Suite>& suites);
+
+/// Replaces the inputs of every study that can take curve sets by those of `files`, and drops the other studies. Throws
+/// Failure(usage) where none is left.
+void take_curves(std::vector<suite::Suite>& suites, const std::vector<std::string>& files);
+
+/// Drops the studies of sets that take none of the curves of their sets. Throws Failure(usage) where none is left.
+void drop_without_curves(std::vector<suite::Suite>& suites);
 
 }  // namespace bezierbench::cli

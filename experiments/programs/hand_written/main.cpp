@@ -23,7 +23,6 @@
 #include "core/evaluate/methods/horner_bernstein.hpp"
 #include "core/evaluate/methods/horner_fma.hpp"
 #include "experiments/metric/order_statistics.hpp"
-#include "experiments/metric/verdict.hpp"
 #include "experiments/programs/hand_written/codings.hpp"
 #include "experiments/programs/one_curve.hpp"
 #include "experiments/race/kernel_rival.hpp"

@@ -11,12 +11,11 @@
 #include <vector>
 
 #include "experiments/metric/order_statistics.hpp"
-#include "experiments/metric/verdict.hpp"
 #include "experiments/programs/one_curve.hpp"
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/race.hpp"
-#include "experiments/race/sentinel.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/race/rounds.hpp"
+#include "experiments/suite/suite.hpp"
 
 namespace {
 

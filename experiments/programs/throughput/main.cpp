@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cli/startup/vocabulary.hpp"
+#include "experiments/cli/startup/this_build.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/trial_inputs.hpp"

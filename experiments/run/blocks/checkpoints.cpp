@@ -5,14 +5,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <numeric>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "experiments/bundle/atomic_file.hpp"
-#include "experiments/bundle/folder.hpp"
+#include "experiments/bundle/bundle.hpp"
 
 namespace bezierbench::run {
 namespace {

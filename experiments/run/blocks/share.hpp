@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The blocks of each process where several share a run, and the order in which it runs those beside which nothing else
-// may run.
+// The part of a run that this process does, by --shard: the blocks of each process where several share a run, and the
+// order in which it runs those beside which nothing else may run.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "experiments/run/blocks/block_set.hpp"
@@ -53,5 +55,12 @@ class Share {
   const Checkpoints& checkpoints_;
   std::vector<BlockSet::Run> blocks_;  ///< per job
 };
+
+/// The value of an environment variable, or nullptr; tests replace std::getenv.
+using Environment = std::function<const char*(const char*)>;
+
+/// Parses `i/N`, or `auto` for the values that Open MPI, PMI (MPICH and others) or Slurm set for their processes. In an
+/// array of jobs with several processes each, N is the product of both numbers. Throws Failure(usage).
+Shard shard_of(std::string_view text, const Environment& environment);
 
 }  // namespace bezierbench::run

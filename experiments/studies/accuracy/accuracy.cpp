@@ -11,7 +11,7 @@
 #include "experiments/studies/external/external.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/timing/timed_evaluation.hpp"
-#include "experiments/suite/keys.hpp"
+#include "experiments/suite/kind.hpp"
 
 namespace bezierbench::studies {
 namespace {

@@ -11,9 +11,8 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/trial_inputs.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/suite.hpp"
 #include "experiments/tables/cell_fields.hpp"
-#include "experiments/tables/statistics.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::studies {

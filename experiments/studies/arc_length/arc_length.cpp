@@ -7,7 +7,7 @@
 
 #include "experiments/studies/arc_length/problem.hpp"
 #include "experiments/studies/trial/companion_kind.hpp"
-#include "experiments/suite/keys.hpp"
+#include "experiments/suite/kind.hpp"
 
 namespace bezierbench::studies {
 

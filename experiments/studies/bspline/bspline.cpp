@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "experiments/metric/bound_at.hpp"
+#include "experiments/metric/derivative_scale.hpp"
 #include "experiments/studies/bspline/problem.hpp"
 #include "experiments/studies/trial/companion_kind.hpp"
 #include "reference/companion/exact_bspline.hpp"

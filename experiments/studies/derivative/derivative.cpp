@@ -5,7 +5,7 @@
 
 #include "experiments/studies/derivative/problem.hpp"
 #include "experiments/studies/trial/companion_kind.hpp"
-#include "experiments/suite/keys.hpp"
+#include "experiments/suite/kind.hpp"
 
 namespace bezierbench::studies {
 namespace {

@@ -20,7 +20,7 @@
 #include "experiments/studies/easing/easing_curves.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
 #include "experiments/studies/roster.hpp"
-#include "experiments/suite/fault.hpp"
+#include "experiments/suite/validate.hpp"
 #include "reference/companion/easing.hpp"
 #include "reference/companion/float_easing.hpp"
 

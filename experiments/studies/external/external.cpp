@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "experiments/run/interruption.hpp"
-#include "experiments/run/notes.hpp"
+#include "experiments/run/progress.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/kind.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/suite.hpp"
 
 namespace bezierbench::studies {
 namespace {

@@ -8,20 +8,19 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/external/code.hpp"
+#include "experiments/external/method.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/number/bytes.hpp"
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/race.hpp"
 #include "experiments/race/timed_check.hpp"
-#include "experiments/race/timed_inputs.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/external/external.hpp"
 #include "experiments/studies/timing/racing_job.hpp"
 #include "experiments/studies/timing/timed_evaluation.hpp"
 #include "experiments/studies/timing/timing_rows.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/suite.hpp"
 #include "experiments/tables/cell_fields.hpp"
 
 namespace bezierbench::studies {

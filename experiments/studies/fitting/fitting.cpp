@@ -12,7 +12,6 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/studies/fitting/problem.hpp"
 #include "experiments/studies/trial/companion_kind.hpp"
-#include "experiments/suite/keys.hpp"
 #include "experiments/suite/kind.hpp"
 #include "reference/companion/fit_distance.hpp"
 #include "reference/error/norm.hpp"

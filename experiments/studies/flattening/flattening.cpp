@@ -9,8 +9,8 @@
 
 #include "experiments/studies/flattening/problem.hpp"
 #include "experiments/studies/trial/companion_kind.hpp"
-#include "experiments/suite/keys.hpp"
-#include "experiments/tables/field.hpp"
+#include "experiments/suite/kind.hpp"
+#include "experiments/tables/tables.hpp"
 
 namespace bezierbench::studies {
 namespace {

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "experiments/metric/bound_at.hpp"
+#include "experiments/metric/derivative_scale.hpp"
 #include "experiments/studies/grid/problem.hpp"
 #include "experiments/studies/trial/companion_kind.hpp"
-#include "experiments/suite/fault.hpp"
-#include "experiments/suite/keys.hpp"
+#include "experiments/suite/kind.hpp"
+#include "experiments/suite/validate.hpp"
 
 namespace bezierbench::studies {
 namespace {

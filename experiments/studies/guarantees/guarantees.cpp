@@ -17,9 +17,9 @@
 #include "experiments/sample/curve_slice.hpp"
 #include "experiments/studies/guarantees/search_for_counterexample.hpp"
 #include "experiments/studies/roster.hpp"
-#include "experiments/suite/fault.hpp"
-#include "experiments/suite/keys.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/kind.hpp"
+#include "experiments/suite/suite.hpp"
+#include "experiments/suite/validate.hpp"
 #include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
 

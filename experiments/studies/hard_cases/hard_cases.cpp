@@ -17,7 +17,7 @@
 #include "experiments/studies/hard_cases/families.hpp"
 #include "experiments/studies/hard_cases/hard_value.hpp"
 #include "experiments/studies/roster.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/suite.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/number/number.hpp"
 

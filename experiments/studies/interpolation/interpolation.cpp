@@ -11,7 +11,7 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/studies/interpolation/problem.hpp"
 #include "experiments/studies/trial/companion_kind.hpp"
-#include "experiments/suite/keys.hpp"
+#include "experiments/suite/kind.hpp"
 #include "reference/error/norm.hpp"
 
 namespace bezierbench::studies {

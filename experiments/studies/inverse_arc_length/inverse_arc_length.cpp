@@ -9,7 +9,7 @@
 #include "experiments/sample/draw.hpp"
 #include "experiments/studies/inverse_arc_length/problem.hpp"
 #include "experiments/studies/trial/companion_kind.hpp"
-#include "experiments/suite/keys.hpp"
+#include "experiments/suite/kind.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/length/length_along.hpp"
 #include "reference/rational.hpp"

@@ -15,7 +15,7 @@
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/search/climb.hpp"
-#include "experiments/suite/keys.hpp"
+#include "experiments/suite/kind.hpp"
 #include "experiments/tables/cell_fields.hpp"
 #include "reference/number/number.hpp"
 

@@ -5,7 +5,6 @@
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/timed_check.hpp"
-#include "experiments/race/timed_inputs.hpp"
 
 namespace bezierbench::studies {
 namespace {

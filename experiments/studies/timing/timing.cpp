@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "experiments/race/race.hpp"
-#include "experiments/race/timed_inputs.hpp"
+#include "experiments/race/timed_check.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/external/external.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/timing/racing_job.hpp"
 #include "experiments/studies/timing/timing_rows.hpp"
-#include "experiments/suite/fault.hpp"
-#include "experiments/suite/keys.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/kind.hpp"
+#include "experiments/suite/suite.hpp"
+#include "experiments/suite/validate.hpp"
 
 namespace bezierbench::studies {
 namespace {

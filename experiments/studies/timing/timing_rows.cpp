@@ -12,10 +12,9 @@
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/metric/growth.hpp"
 #include "experiments/metric/order_statistics.hpp"
-#include "experiments/metric/verdict.hpp"
 #include "experiments/race/limit.hpp"
 #include "experiments/race/processor_models.hpp"
-#include "experiments/suite/names.hpp"
+#include "experiments/suite/suite.hpp"
 #include "experiments/tables/cell_fields.hpp"
 
 namespace bezierbench::studies {

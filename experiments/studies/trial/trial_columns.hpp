@@ -13,7 +13,7 @@
 #include "experiments/metric/counts.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/sample/cell.hpp"
-#include "experiments/tables/statistics.hpp"
+#include "experiments/tables/cell_fields.hpp"
 
 namespace bezierbench::studies {
 

@@ -10,9 +10,8 @@
 #include <utility>
 
 #include "experiments/failure.hpp"
+#include "experiments/suite/ids.hpp"
 #include "experiments/suite/kind.hpp"
-#include "experiments/suite/nearest.hpp"
-#include "experiments/suite/pattern.hpp"
 #include "experiments/suite/text/toml_value.hpp"
 #include "experiments/suite/validate.hpp"
 #include "reference/number/echo.hpp"
@@ -68,7 +67,7 @@ Setting parse_set(const std::string& text, const Vocabulary& known) {
   const std::string key = text.substr(0, equals);
   const auto keys = settable_keys(known.kinds);
   if (std::ranges::find(keys, key) == keys.end())
-    throw Failure(Exit::usage, fmt::format("{}: unknown axis \"{}\"{}", option, echo(key), suggestion(key, keys)));
+    throw Failure(Exit::usage, "{}: unknown axis \"{}\"{}", option, echo(key), suggestion(key, keys));
   if (equals + 1 == text.size()) throw Failure(Exit::usage, option + ": no value; write it as axis=v1,v2");
   return {std::move(option), key, values_of(key, std::string_view(text).substr(equals + 1))};
 }
@@ -84,7 +83,7 @@ void set(const Setting& setting, Study& study, const Vocabulary& known) {
                    foreign_key_problem(kind, setting.key, known.kinds) + "; choose studies with --only"});
   const bool single = std::holds_alternative<std::int64_t*>(field->slot(study));
   if (single && setting.values.size() != 1)
-    throw Failure(Exit::usage, fmt::format("{}: takes one value; write {}=N", setting.option, setting.key));
+    throw Failure(Exit::usage, "{}: takes one value; write {}=N", setting.option, setting.key);
   const toml::node& node = single ? *setting.values.get(0) : static_cast<const toml::node&>(setting.values);
   read(setting.option, node, *field, study);
 }
@@ -104,10 +103,9 @@ void keep_chosen(const Overrides& overrides, std::vector<Suite>& suites) {
       return !chosen || (overrides.no_timing && !can_count && kind_of(study).timed);
     });
   }
-  if (!found) {
-    throw Failure(Exit::usage, fmt::format("{} {}: no study matches{}", overrides.only_option, echo(*overrides.only),
-                                           suggestion(*overrides.only, ids)));
-  }
+  if (!found)
+    throw Failure(Exit::usage, "{} {}: no study matches{}", overrides.only_option, echo(*overrides.only),
+                  suggestion(*overrides.only, ids));
   std::erase_if(suites, [](const Suite& suite) { return suite.studies.empty(); });
   if (suites.empty()) throw Failure(Exit::usage, "--no-timing: only timing studies were chosen; choose others");
 }
@@ -132,15 +130,13 @@ void apply(const Overrides& overrides, std::vector<Suite>& suites, const Vocabul
     Setting setting = parse_set(text, known);
     for (const Setting& other : settings) {
       if (other.key != setting.key) continue;
-      throw Failure(Exit::usage, fmt::format("{}: {} sets this too; keep one of them", setting.option, other.option));
+      throw Failure(Exit::usage, "{}: {} sets this too; keep one of them", setting.option, other.option);
     }
     settings.push_back(std::move(setting));
   }
-  if (overrides.seed) {
-    if (const std::string what = seed_problem(*overrides.seed); !what.empty()) {
-      throw Failure(Exit::usage, fmt::format("--seed {}: {}", *overrides.seed, what));
-    }
-  }
+  if (overrides.seed)
+    if (const std::string what = seed_problem(*overrides.seed); !what.empty())
+      throw Failure(Exit::usage, "--seed {}: {}", *overrides.seed, what);
 
   std::vector<Suite> changed = suites;
   keep_chosen(overrides, changed);

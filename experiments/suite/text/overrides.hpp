@@ -23,9 +23,9 @@ struct Overrides {
 };
 
 /// Applies `overrides`: drops the studies that `only` does not match, and with `no_timing` those of times that do not
-/// count; then suites that are empty. Sets seed, trials and keys in every study that remains; a key that one of them does not have is refused. The result
-/// passes the same checks as a suite file. Throws Failure(Exit::usage) with `--set degree=x: what; what to do`; the
-/// suites are then unchanged.
+/// count; then suites that are empty. Sets seed, trials and keys in every study that remains; a key that one of them
+/// does not have is refused. The result passes the same checks as a suite file. Throws Failure(Exit::usage) with `--set
+/// degree=x: what; what to do`; the suites are then unchanged.
 void apply(const Overrides& overrides, std::vector<Suite>& suites, const Vocabulary& known);
 
 }  // namespace bezierbench::suite

@@ -52,7 +52,7 @@ TEST(Overrides, NothingSetChangesNothing) {
 TEST(Overrides, SetsAxesInEveryStudy) {
   const auto suites = applied(setting({"degree=3,0x1p2", "coordinate_range=0x1p-1022,1e3", "t_interval=0:0.2,-1:1",
                                        "scalar=float,double", "generator=dyadic"}));
-  for (const Suite& suite : suites) {
+  for (const Suite& suite : suites)
     for (const Study& changed : suite.studies) {
       EXPECT_THAT(changed.degree, ElementsAre(3, 4));
       EXPECT_THAT(changed.coordinate_range, ElementsAre(0x1p-1022, 1e3));
@@ -60,7 +60,6 @@ TEST(Overrides, SetsAxesInEveryStudy) {
       EXPECT_THAT(changed.scalar, ElementsAre(ScalarKind::float32, ScalarKind::float64));
       EXPECT_THAT(changed.generator, ElementsAre("dyadic"));
     }
-  }
 }
 
 TEST(Overrides, SetsKeysOfAKindInStudiesOfThisKindAlone) {

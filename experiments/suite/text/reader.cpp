@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <span>
@@ -17,9 +18,8 @@
 
 #include "experiments/failure.hpp"
 #include "experiments/suite/external.hpp"
-#include "experiments/suite/fault.hpp"
+#include "experiments/suite/ids.hpp"
 #include "experiments/suite/kind.hpp"
-#include "experiments/suite/nearest.hpp"
 #include "experiments/suite/text/toml_value.hpp"
 #include "experiments/suite/validate.hpp"
 #include "reference/number/echo.hpp"
@@ -69,9 +69,8 @@ class Reader {
   void check_schema(const toml::table& root) const {
     const toml::node* version = root.get("schema_version");
     if (version == nullptr) fail(root, "schema_version is missing; add schema_version = 1");
-    if (version->value_exact<std::int64_t>() != std::int64_t{1}) {
+    if (version->value_exact<std::int64_t>() != std::int64_t{1})
       fail(*version, "schema_version must be 1, the only one that this program reads");
-    }
   }
 
   void check_keys(const toml::table& table, const std::vector<std::string>& allowed) const {
@@ -136,10 +135,9 @@ class Reader {
       if (weighted != known_.generators.end()) out.generator = {weighted->id};
     }
     if (const auto fault = validate(out, known_))
-      throw Failure(Exit::usage, fmt::format("{}: {}", place_of(out, *fault), fault->what));
-    if (!study_ids_.insert(out.id).second) {
+      throw Failure(Exit::usage, "{}: {}", place_of(out, *fault), fault->what);
+    if (!study_ids_.insert(out.id).second)
       fail(*table.get("id"), fmt::format("another study has the id \"{}\"; rename one", out.id));
-    }
     return out;
   }
 
@@ -175,9 +173,8 @@ class Reader {
 };
 
 Suite only_one(std::vector<Suite> suites, std::string_view file_name) {
-  if (suites.size() != 1) {
-    throw Failure(Exit::usage, fmt::format("{}: one suite is expected here, not {}", file_name, suites.size()));
-  }
+  if (suites.size() != 1)
+    throw Failure(Exit::usage, "{}: one suite is expected here, not {}", file_name, suites.size());
   return std::move(suites.front());
 }
 
@@ -201,17 +198,15 @@ void refuse_deep_keys(std::string_view text, std::string_view file_name) {
 
 std::string contents(const std::filesystem::path& file) {
   const auto refuse = [&](int error) {
-    throw Failure(Exit::usage, fmt::format("{}: cannot be read ({}); name a suite file that can, or see `bezierbench "
-                                           "list suites`",
-                                           file.string(), std::generic_category().message(error)));
+    throw Failure(Exit::usage, "{}: cannot be read ({}); name a suite file that can, or see `bezierbench list suites`",
+                  file.string(), std::generic_category().message(error));
   };
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), &std::fclose);
   if (!stream) refuse(errno);
   std::string text;
   std::array<char, 65536> buffer{};
-  while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), stream.get())) {
+  while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), stream.get()))
     text.append(buffer.data(), got);
-  }
   if (std::ferror(stream.get()) != 0) refuse(errno);  // opening a folder succeeds, reading it fails here
   return text;
 }
@@ -245,6 +240,23 @@ Suite read_suite(const std::filesystem::path& file, const Vocabulary& known) {
 
 std::optional<std::int64_t> declared_seconds(std::string_view text) {
   return toml::parse(text)["suite"]["seconds"].value<std::int64_t>();
+}
+
+std::string to_toml(std::span<const Suite> suites) {
+  const bool one = suites.size() == 1;
+  std::string text = "schema_version = 1\n";
+  const auto out = std::back_inserter(text);
+  for (const Suite& suite : suites) {
+    fmt::format_to(out, "\n{}\nid = {}\ntitle = {}\nseed = {}\n", one ? "[suite]" : "[[suites]]", to_text(suite.id),
+                   to_text(suite.title), suite.seed);
+    for (const Study& study : suite.studies) {
+      fmt::format_to(out, "\n{}\n", one ? "[[study]]" : "[[suites.study]]");
+      for (const Field* field : fields_of(kind_of(study)))
+        if (const std::string value = to_text(*field, study); !value.empty() && applies(*field, study))
+          fmt::format_to(out, "{} = {}\n", field->key, value);
+    }
+  }
+  return text;
 }
 
 }  // namespace bezierbench::suite

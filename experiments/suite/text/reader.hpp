@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Suite files: TOML to values, with messages that name file, line and column.
+// Suite files: TOML to values, with messages that name file, line and column; and resolved suites as TOML: what was
+// run, with nothing left to defaults.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,7 +17,7 @@
 namespace bezierbench::suite {
 
 /// Reads every suite of a TOML document: one in a file that people write (`[suite]`, `[[study]]`), several in the
-/// resolved file of a bundle (`[[suites]]`, `[[suites.study]]`; see writer.hpp). A key that is left out has the default
+/// resolved file of a bundle (`[[suites]]`, `[[suites.study]]`; see to_toml()). A key that is left out has the default
 /// of suite.hpp; a rational study without `generator` gets the first one that draws weights. Numbers may also be
 /// strings in decimal or hexadecimal floating point. A key that the kind of the study does not have is refused at its
 /// place. Throws Failure(Exit::usage) with the one line `FILE:LINE:COLUMN: what; what to do`.
@@ -30,8 +33,14 @@ Suite parse_suite(std::string_view text, std::string_view file_name, const Vocab
 Suite read_suite(const std::filesystem::path& file, const Vocabulary& known);
 
 /// The `seconds` of a document with one suite: what all its studies take of processor time, as its author measured it.
-/// It does not describe what a run does, so a Suite has no such member, and a resolved suite no such key. Empty where it is
-/// left out. The text must be one that parse_suites reads.
+/// It does not describe what a run does, so a Suite has no such member, and a resolved suite no such key. Empty where
+/// it is left out. The text must be one that parse_suites reads.
 std::optional<std::int64_t> declared_seconds(std::string_view text);
+
+/// Suites as TOML that parse_suites reads back to equal values, every key explicit, in a fixed order, doubles in
+/// shortest decimal. Empty values are left out (methods: all that apply; title, modes, published: none). One suite is
+/// written as people write it, with [suite] and [[study]], so that `run BUNDLE/suite.toml` repeats it; several are
+/// written as [[suites]], each with its [[suites.study]].
+std::string to_toml(std::span<const Suite> suites);
 
 }  // namespace bezierbench::suite

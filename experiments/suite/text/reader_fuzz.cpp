@@ -3,7 +3,6 @@
 #include "experiments/fuzzing/property.hpp"
 #include "experiments/suite/external.hpp"
 #include "experiments/suite/text/reader.hpp"
-#include "experiments/suite/text/writer.hpp"
 #include "experiments/suite/vocabulary_test.hpp"
 
 namespace bezierbench::suite {

@@ -21,8 +21,8 @@ bool is_from_option(const toml::node& node) { return node.source().begin.line ==
 }  // namespace
 
 void fail(std::string_view name, const toml::source_position& at, std::string_view what) {
-  if (at.line == 0) throw Failure(Exit::usage, fmt::format("{}: {}", name, what));
-  throw Failure(Exit::usage, fmt::format("{}:{}:{}: {}", name, at.line, at.column, what));
+  if (at.line == 0) throw Failure(Exit::usage, "{}: {}", name, what);
+  throw Failure(Exit::usage, "{}:{}:{}: {}", name, at.line, at.column, what);
 }
 
 void fail_type(const Source& source, const toml::node& node, std::string_view expected) {

@@ -4,7 +4,6 @@
 
 #include <toml++/toml.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -12,9 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/suite/field.hpp"
-#include "experiments/suite/names.hpp"
-#include "experiments/suite/nearest.hpp"
+#include "experiments/suite/ids.hpp"
+#include "experiments/suite/kind.hpp"
 #include "experiments/suite/suite.hpp"
 #include "reference/number/echo.hpp"
 
@@ -51,10 +49,9 @@ void read(const Source& source, const toml::node& node, Enum& out) {
   std::string word;
   read(source, node, word);
   const auto value = parse<Enum>(word);
-  if (!value) {
+  if (!value)
     fail(source.name, node.source().begin,
          "unknown " + std::string(source.key) + " \"" + echo(word) + "\"" + suggestion(word, all_words<Enum>()));
-  }
   out = *value;
 }
 

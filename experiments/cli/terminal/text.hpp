@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Text in lines of a given width.
+// Text for people: lines of a given width, tables, words of command lines, and messages.
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "experiments/failure.hpp"
 
 namespace bezierbench::cli {
 
@@ -32,8 +35,27 @@ std::string padded(std::string_view text, std::size_t width);
 
 /// A table with aligned columns: one line per row where `width` is empty or wide enough. In a narrower terminal the
 /// last column is broken at spaces, if enough of it stays; else as many columns as fit stay aligned, and each row's
-/// other fields follow below it, with the names of their columns where these are several. `lines` are the header and the
-/// rows, all of one length. Fields are escaped as reference/number/echo.hpp describes. Colours are those of standard output.
+/// other fields follow below it, with the names of their columns where these are several. `lines` are the header and
+/// the rows, all of one length. Fields are escaped as reference/number/echo.hpp describes. Colours are those of
+/// standard output.
 std::string fitted(std::vector<std::vector<std::string>> lines, std::optional<std::size_t> width);
+
+// Words of command lines.
+
+/// `text` as one word of a command line that can be pasted into a shell.
+std::string shell_word(const std::string& text);
+
+/// The program as it was called, for commands that are printed.
+std::string this_program();
+
+// Messages of the program on standard error.
+
+/// Writes one line to standard error. `text` may come from a damaged file: line ends and other control characters are
+/// escaped, and the middle of a very long word or text is left out. Does not throw where standard error cannot be
+/// written.
+void say(const std::string& text);
+
+/// Says each finding of a command; returns the exit code that they mean.
+Exit say_findings(std::span<const std::string> findings);
 
 }  // namespace bezierbench::cli

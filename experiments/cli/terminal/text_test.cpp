@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 
-#include "experiments/cli/terminal/wrapped.hpp"
+#include "experiments/cli/terminal/text.hpp"
 
 #include <gtest/gtest.h>
-
-#include "experiments/cli/terminal/shell_word.hpp"
 
 namespace bezierbench::cli {
 namespace {

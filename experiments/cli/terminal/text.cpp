@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/cli/terminal/wrapped.hpp"
+#include "experiments/cli/terminal/text.hpp"
 
+#include <errno.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 
+#include "experiments/run/progress.hpp"
 #include "experiments/terminal.hpp"
 #include "reference/number/echo.hpp"
 
@@ -124,6 +128,26 @@ std::string fitted(std::vector<Fields> lines, std::optional<std::size_t> width) 
       text += wrapped(std::string(indent_below, ' '), rest, indent_below, most);
   }
   return text;
+}
+
+std::string shell_word(const std::string& text) {
+  constexpr const char* plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789%+,-./:=@_";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + '\'';
+}
+
+std::string this_program() { return shell_word(program_invocation_name); }
+
+void say(const std::string& text) {
+  constexpr std::size_t longest = 1000;  // in bytes; an option may have megabytes
+  run::note(shortened(std::string_view(text).substr(0, text.find_last_not_of(" \n") + 1), longest), "bezierbench: ");
+}
+
+Exit say_findings(std::span<const std::string> findings) {
+  for (const auto& finding : findings) say(finding);
+  return findings.empty() ? Exit::fine : Exit::finding;
 }
 
 }  // namespace bezierbench::cli
