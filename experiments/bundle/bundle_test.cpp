@@ -4,12 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <csignal>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -216,31 +213,6 @@ TEST(Bundle, FailingFinishNeverLeavesComplete) {
   fs::create_directory(bundle.path() / "SHA256SUMS");
   EXPECT_THROW(finish(bundle, with_state("complete")), Failure);
   EXPECT_EQ(bundle.manifest().state, "partial");
-}
-
-TEST(Bundle, KilledFinishNeverLeavesAFalseComplete) {
-  const ScratchFolder folder;
-  const BundleDirectory bundle = filled(folder.path() / "b");
-  const std::string table = bundle.read("accuracy.csv");
-  const std::string last_row = table.substr(table.rfind('\n', table.size() - 2) + 1);
-  for (int round = 0; round < 20; ++round) {
-    const pid_t child = fork();
-    ASSERT_NE(child, -1);
-    if (child == 0)
-      for (int i = 0;; ++i) {
-        std::string rows;
-        for (int row = 0; row < i % 5; ++row) rows += last_row;
-        bundle.write("accuracy.csv", table + rows);
-        finish(bundle, with_state("complete"));
-      }
-    usleep(static_cast<useconds_t>(2000 + 137 * round));
-    kill(child, SIGKILL);
-    waitpid(child, nullptr, 0);
-    if (!bundle.has("bundle.json") || bundle.manifest().state != "complete") continue;
-    for (const std::string& finding : verify(bundle.path(), expected)) {
-      EXPECT_TRUE(finding.find("remove it") != std::string::npos) << finding;  // superfluous files
-    }
-  }
 }
 
 }  // namespace

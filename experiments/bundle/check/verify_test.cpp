@@ -223,6 +223,10 @@ TEST(RowRules, BrokenPromisesAccuseEverywhereAndMissedFeetThoseThatPromise) {
        {"projection.csv", "arc_length.csv", "inverse_arc_length.csv", "fitting.csv", "subdivision.csv"})
     EXPECT_THAT(faults(file, "method,broken_promises\na,2\nb,0\n"),
                 ElementsAre(std::string(file) + ":2: 2 broken promises"));
+  EXPECT_THAT(faults("accuracy.csv", "method,bound_violations\na,3\nb,0\n"),
+              ElementsAre("accuracy.csv:2: 3 bound violations"));
+  EXPECT_THAT(faults("subdivision.csv", "method,points_off\na,1\nb,0\n"),
+              ElementsAre("subdivision.csv:2: 1 points of a half off the curve"));
   EXPECT_THAT(faults("projection.csv", "method,missed\na,1\nown,1\nb,1\n"),
               ElementsAre("projection.csv:2: 1 missed foot points"));
   EXPECT_THAT(faults("timing.csv", "method,checked\na,yes\nb,no\nown,no\n"),

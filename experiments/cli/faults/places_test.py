@@ -37,16 +37,6 @@ class Places(ResumeCase):
             with self.subTest(out=out):
                 self.refused(INPUT_OUTPUT, ["run", "s.toml", "--out", out], f"bezierbench: {out}: ", "choose")
 
-    def test_links_are_replaced_and_not_written_through(self):
-        self.write("mine.csv", "mine")
-        self.suite(replicates="3", name="t.toml")
-        self.fine("run", "t.toml", "--quiet", "--out", "p", "--shard", "1/2")
-        (self.folder / "p/accuracy.csv").symlink_to("../mine.csv")
-        self.fine("run", "t.toml", "--quiet", "--out", "p")
-        self.assertFalse((self.folder / "p/accuracy.csv").is_symlink())
-        self.assertEqual((self.folder / "mine.csv").read_text(), "mine")
-        self.assert_complete("p")
-
     def test_locks_are_made_in_the_bundle_only(self):
         self.suite()
         self.write("away/kept", "mine")
