@@ -14,10 +14,12 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/convert/roster.hpp"
 #include "core/evaluate/evaluation_test.hpp"
-#include "core/evaluate/kernel/points/point_kernel.hpp"
-#include "core/evaluate/kernel/points/point_units.hpp"
+#include "core/evaluate/kernel/kernel_of.hpp"
+#include "core/evaluate/kernel/prepared_state.hpp"
 #include "core/evaluate/roster.hpp"
+#include "core/evaluate/via.hpp"
 
 namespace bezierbench::points_test {
 
@@ -39,43 +41,57 @@ bool same_bits(Scalar a, Scalar b) {
   return (std::isnan(a) && std::isnan(b)) || std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
-template <class E, class Scalar, int Dimension>
-PreparedOf<E, Scalar, Dimension> prepared(int degree, const std::vector<Scalar>& values) {
-  if constexpr (E::info.form == Form::power_double_double) {
-    const auto part = instantiate::load<Form::power, Dimension>(view(Form::power, Dimension, degree, values));
-    Curve<Form::power_double_double, Scalar, Dimension> curve(degree);
-    curve.high = part;
-    curve.low = part;
-    return E::prepare(curve);
-  } else {
-    return E::prepare(instantiate::load<E::info.form, Dimension>(view(E::info.form, Dimension, degree, values)));
+/// The path to an evaluator whose form no curve is given in; any other evaluator itself.
+template <class E>
+struct PathTo {
+  using Type = E;
+};
+template <>
+struct PathTo<HornerDoubleDouble> {
+  using Type = Via<ExactToPowerDoubleDouble, HornerDoubleDouble>;
+};
+template <>
+struct PathTo<HornerCentered> {
+  using Type = Via<DifferencesCentered, HornerCentered>;
+};
+
+/// Points of the curves that the axes are by themselves: the method for numbers, in one dimension.
+template <class M, class Scalar>
+std::vector<Scalar> axis_by_axis(int dimension, int degree, const std::vector<Scalar>& values,
+                                 const std::vector<Scalar>& t) {
+  const auto axes = static_cast<std::size_t>(dimension);
+  std::vector<Scalar> points(t.size() * axes);
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    std::vector<Scalar> of_axis;
+    for (std::size_t k = axis; k < values.size(); k += axes) of_axis.push_back(values[k]);
+    const auto state = M::prepare(instantiate::load<M::info.form, 1>(view(M::info.form, 1, degree, of_axis)));
+    for (std::size_t k = 0; k < t.size(); ++k) points[k * axes + axis] = M::evaluate(state, t[k])[0];
   }
+  return points;
 }
 
-template <class E, class Scalar, int Dimension>
-void expect_same_bits(int degree, const char* way, EvaluatePoints<Scalar> evaluate) {
-  const std::vector<Scalar> t{0, 1, Scalar(0.5), Scalar(0.3), Scalar(0x1p-30), Scalar(0.9), Scalar(-0.25), Scalar(1.5)};
-  const auto state = prepared<E, Scalar, Dimension>(degree, coefficients<Scalar>((degree + 1) * Dimension));
-  std::vector<Scalar> expected(t.size() * Dimension);
-  std::vector<Scalar> points(t.size() * Dimension);
-  instantiate::evaluate_one_by_one<E, Scalar, Dimension>(&state, t, expected.data());
-  evaluate(&state, t, points.data());
-  for (std::size_t k = 0; k < points.size(); ++k)
-    ASSERT_TRUE(same_bits(points[k], expected[k]))
-        << E::info.id << ", degree " << degree << ", dimension " << Dimension << ", " << way
-        << ", t = " << t[k / Dimension] << ": " << points[k] << " for " << expected[k];
-}
-
-template <class E, class Scalar, int Dimension>
+/// Runs the functions behind the kernel of a method, each in the units of the program.
+template <class E, class Scalar>
 void expect_every_way_to_agree() {
-  if constexpr (instantiate::SideBySide<E, Scalar, Dimension>) {
+  using M = typename PathTo<E>::Type;
+  const std::vector<Scalar> t{0, 1, Scalar(0.5), Scalar(0.3), Scalar(0x1p-30), Scalar(0.9), Scalar(-0.25), Scalar(1.5)};
+  for (int dimension = 1; dimension <= 3; ++dimension) {
+    const auto* kernel = find_kernel<Scalar>(M::info.id, M::info.form, dimension);
+    ASSERT_NE(kernel, nullptr) << M::info.id;
     for (const int n : degrees) {
-      if (!E::info.template supports<Scalar>(n)) continue;
-      expect_same_bits<E, Scalar, Dimension>(n, "as it is timed",
-                                             instantiate::evaluate_function<E, Scalar, Dimension>()(n));
-      // The function for max_degree evaluates curves of every degree.
-      expect_same_bits<E, Scalar, Dimension>(n, "degree at run time",
-                                             instantiate::evaluate_function<E, Scalar, Dimension>()(max_degree));
+      if (!M::info.template supports<Scalar>(n)) continue;
+      const auto values = coefficients<Scalar>((n + 1) * dimension);
+      const auto expected = axis_by_axis<M>(dimension, n, values, t);
+      const PreparedState<Scalar> state(*kernel, view(M::info.form, dimension, n, values));
+      // As it is timed; and the function for max_degree evaluates curves of every degree.
+      for (const int function_degree : {n, max_degree}) {
+        std::vector<Scalar> points(expected.size());
+        kernel->evaluate_for(function_degree)(state.get(), t, points.data());
+        for (std::size_t k = 0; k < points.size(); ++k)
+          ASSERT_TRUE(same_bits(points[k], expected[k]))
+              << M::info.id << ", degree " << n << ", dimension " << dimension << ", function for degree "
+              << function_degree << ", value " << k << ": " << points[k] << " for " << expected[k];
+      }
     }
   }
 }
