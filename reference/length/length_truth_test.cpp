@@ -29,7 +29,7 @@ std::vector<double> any_curve(std::mt19937_64& words, std::size_t kind, int dime
   return points;
 }
 
-CurveView<double> view(const std::vector<double>& points, int dimension) {
+CurveView<double> curve_view(const std::vector<double>& points, int dimension) {
   return {Form::bernstein, dimension, static_cast<int>(points.size()) / dimension - 1, points};
 }
 
@@ -47,9 +47,9 @@ TEST(LengthTruth, HasTheBitsOfTheDigits) {
       for (const int degree : {1, 2, 3, 6, 24}) {
         const auto points = any_curve(words, kind, dimension, degree);
         for (const auto& [from, to] : {std::array{0.0, 1.0}, {0.25, 0.7}}) {
-          const LengthTruth pairs(view(points, dimension), from, to, Tier::certified);
-          const LengthTruth digits(view(points, dimension), from, to, Tier::exact);
-          const TrueLength truth(view(points, dimension), from, to);
+          const LengthTruth pairs(curve_view(points, dimension), from, to, Tier::certified);
+          const LengthTruth digits(curve_view(points, dimension), from, to, Tier::exact);
+          const TrueLength truth(curve_view(points, dimension), from, to);
           const double length = truth.value().convert_to<double>();
           ASSERT_EQ(pairs.length(), length) << kind << " " << dimension << " " << degree;
           EXPECT_EQ(digits.length(), length);
@@ -73,10 +73,10 @@ TEST(LengthTruth, PairsAreWithinTheirUncertainty) {
     for (const int dimension : {1, 2, 3})
       for (const int degree : {1, 2, 3, 6, 12, 24}) {
         const auto points = any_curve(words, kind, dimension, degree);
-        const auto h = hodograph<PairReal>(view(points, dimension), 0, 1);
+        const auto h = hodograph<PairReal>(curve_view(points, dimension), 0, 1);
         if (h.polygon() == 0) continue;
         const LengthPanels<PairReal> pairs(h);
-        const TrueLength truth(view(points, dimension), 0, 1);
+        const TrueLength truth(curve_view(points, dimension), 0, 1);
         const Pair length = pairs.length().pair();
         const LongReal off = abs(LongReal(length.high) + LongReal(length.low) - truth.value());
         const LongReal uncertain = LongReal(pairs.uncertainty().pair().high) * (1 + LongReal("1e-10"));
@@ -87,7 +87,7 @@ TEST(LengthTruth, PairsAreWithinTheirUncertainty) {
 
 TEST(LengthTruth, AsksTheDigitsWhereAMethodIsExact) {
   const std::vector<double> line{1, 2, 4, 6};
-  const LengthTruth truth(view(line, 2), 0, 1, Tier::certified);
+  const LengthTruth truth(curve_view(line, 2), 0, 1, Tier::certified);
   EXPECT_EQ(truth.error_of(5.25, to_float), 0.25);
   EXPECT_FALSE(truth.needed_digits());
   EXPECT_EQ(truth.error_of(5, to_float), 0);
@@ -99,14 +99,14 @@ TEST(LengthTruth, AsksTheDigitsWhereAMethodIsExact) {
 TEST(LengthTruth, LeavesExtremesToTheDigits) {
   for (const double size : {0x1p-310, 0x1p+310}) {
     const std::vector<double> points{0, 0, size, 3 * size, 2 * size, -size};
-    const LengthTruth truth(view(points, 2), 0, 1, Tier::certified);
-    EXPECT_EQ(truth.length(), TrueLength(view(points, 2), 0, 1).value().convert_to<double>());
+    const LengthTruth truth(curve_view(points, 2), 0, 1, Tier::certified);
+    EXPECT_EQ(truth.length(), TrueLength(curve_view(points, 2), 0, 1).value().convert_to<double>());
     EXPECT_TRUE(truth.needed_digits());
   }
   std::mt19937_64 words(3);
   const auto points = any_curve(words, 0, 2, 25);
-  const LengthTruth truth(view(points, 2), 0, 1, Tier::certified);
-  EXPECT_EQ(truth.length(), TrueLength(view(points, 2), 0, 1).value().convert_to<double>());
+  const LengthTruth truth(curve_view(points, 2), 0, 1, Tier::certified);
+  EXPECT_EQ(truth.length(), TrueLength(curve_view(points, 2), 0, 1).value().convert_to<double>());
   EXPECT_TRUE(truth.needed_digits());
 }
 
@@ -118,13 +118,13 @@ TEST(AlongTruth, HasTheBitsOfTheDigits) {
     for (const int dimension : {1, 2, 3})
       for (const int degree : {1, 2, 3, 6}) {
         const auto points = any_curve(words, kind, dimension, degree);
-        const AlongTruth pairs(view(points, dimension), Tier::certified);
-        const AlongTruth digits(view(points, dimension), Tier::exact);
+        const AlongTruth pairs(curve_view(points, dimension), Tier::certified);
+        const AlongTruth digits(curve_view(points, dimension), Tier::exact);
         ASSERT_EQ(pairs.whole(), digits.whole());
         for (const double share : {0.0, 1e-9, uniform(words), 0.5, 1.0}) {
           const double target = pairs.length_at_share(share);
           ASSERT_EQ(target, digits.length_at_share(share));
-          const LengthAlong<LongReal> along(view(points, dimension));
+          const LengthAlong<LongReal> along(curve_view(points, dimension));
           const double t = along.parameter_at(LongReal(target)).convert_to<double>();
           for (const double answer : near(t)) {
             ASSERT_EQ(pairs.error_of_length(answer, target, to_float), digits.error_of_length(answer, target, to_float))
@@ -139,7 +139,7 @@ TEST(AlongTruth, HasTheBitsOfTheDigits) {
   // At the ends the digits say what is exact; a share within needs them rarely.
   for (int trial = 0; trial < 30; ++trial) {
     const auto points = any_curve(words, 0, 2, 4);
-    const AlongTruth pairs(view(points, 2), Tier::certified);
+    const AlongTruth pairs(curve_view(points, 2), Tier::certified);
     const double target = pairs.length_at_share(0.25 + uniform(words) / 2);
     static_cast<void>(pairs.error_of_length(0.3, target, to_float));
     static_cast<void>(pairs.error_of_parameter(0.3, target, to_float));
