@@ -24,7 +24,7 @@ TABLE = {
     "experiments/number": ([], []),
     "experiments/suite": (["core/curve_view.hpp", "core/method.hpp"], ["toml++"]),
     "experiments/sample": (["experiments/suite", "reference/curves", "reference/rational.hpp", "core/curve_view.hpp"], ["Random123", "GMP/MPFR"]),
-    "experiments/metric": (["reference", "core/curve_view.hpp", "core/bound", "core/vector", "core/powers.hpp", "core/factorial.hpp"], ["Boost.Math"]),
+    "experiments/metric": (["reference", "core/curve_view.hpp", "core/bound", "core/vector", "core/powers.hpp", "core/binomial.hpp", "core/factorial.hpp"], ["Boost.Math"]),
     "experiments/requirements": (["core/evaluate", "core/curve_view.hpp", "core/method.hpp", "experiments/metric", "reference"], []),
     "experiments/judge": (
         ["core", "reference", "experiments/suite", "experiments/sample", "experiments/metric"],

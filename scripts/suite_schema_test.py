@@ -77,7 +77,7 @@ class SuiteSchema(unittest.TestCase):
     def test_what_it_refuses_the_program_refuses(self):
         example = HEAD + output("list", "kinds", "derivative").split("Example:\n")[1]
         line = len(example.splitlines()) + 1
-        for more, place in (("budget = 5\n", 1), ("degre = [3]\n", 1), ('curve = "rational"\n', 9),
+        for more, place in (("budget = 5\n", 1), ("degre = [3]\n", 1), ('curve = "bezeir"\n', 9),
                             ('scalar = ["doubel"]\n', 11), ("dimension = 2\n", 13), ("title = 2\n", 9)):
             self.assertFalse(self.is_valid(example + more), more)
             code, said = self.planned(example + more)

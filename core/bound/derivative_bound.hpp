@@ -10,11 +10,11 @@
 // differences first can do far better than its bound. In power form the coefficients j (j-1) ... (j-k+1) q_j of t^(j-k)
 // are formed without differences, and p~ is the sum of their magnitudes times |t|^(j-k).
 //
-// A rational curve with numerator A, denominator W and A_j, W_j, the sums A above of its control points w_i b_i and of its
-// weights for order j, has
+// A rational curve with numerator A, denominator W and A_j, W_j, the sums A above of its control points w_i b_i and of
+// its weights for order j, has
 //   S_k = (A_k + sum_(i=1..k) C(k,i) W_i S_(k-i)) / |W(t)|,
-// which is at least |C^(k)| and for k = 0 is p~. Where numerator and denominator of every order keep their bounds, u D_j
-// times the A_j and W_j, the quotients keep
+// which is at least |C^(k)| and for k = 0 is p~. Where numerator and denominator of every order keep their bounds,
+// u D_j times the A_j and W_j, the quotients keep
 //   |computed - true| <= (k+1) s / (1 - (k+1) s) S_k,  s = G (1 + W_0 / |W(t)|) + gamma_(k+2) + u,
 // where G is the largest u (D_j (1 + u) + 1), D_j = differences + evaluation, if (k+1) s < 1/2 (proof:
 // docs/proofs/rational_derivative.md).

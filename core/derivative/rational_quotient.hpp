@@ -8,7 +8,8 @@
 //   divisions; if local, d(n+1) subtractions.
 // Bound: (k+1) s / (1 - (k+1) s) S_k, where s and S_k are those of core/bound/derivative_bound.hpp; the proof is in
 //   docs/proofs/rational_derivative.md. None for the local one.
-// Fails: far from the origin, where A^(k) and the sum cancel by the ratio of distance to size; the local one does not. Where W vanishes or is nearly 0. Above order 1023, where it is not a number.
+// Fails: far from the origin, where A^(k) and the sum cancel by the ratio of distance to size; the local one does not.
+//   Where W vanishes or is nearly 0. Above order 1023, where it is not a number.
 #pragma once
 
 #include "core/binomial.hpp"

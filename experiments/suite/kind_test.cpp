@@ -135,8 +135,8 @@ struct Refusal {
 
 TEST(Kinds, RefuseInputsThatTheyDoNotTake) {
   for (const auto& [kind, more, column, what] :
-       {Refusal{"derivative", "curve = \"rational\"", 9,
-                "derivatives are those of polynomial curves; write curve = "
+       {Refusal{"grid", "curve = \"rational\"", 9,
+                "grids are of polynomial curves; write curve = "
                 "\"bernstein\" or \"power\""},
         Refusal{"conversion", "curve = \"rational\"", 9, "conversions take polynomial curves"},
         Refusal{"arc_length", "curve = \"polynomial\"", 9, "write curve = \"bernstein\""},

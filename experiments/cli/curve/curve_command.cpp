@@ -108,7 +108,8 @@ void refuse_curve(const std::string& name, const CurveFile& curve, const MethodI
   std::ranges::replace(problem, '_', ' ');
   std::string why = why_not(any, curve);
   if (curve.form == Form::rational)
-    why = fmt::format("no method for {} takes rational curves (column w); `curve eval`, `derivative`, `split` and `box` do", problem);
+    why = fmt::format(
+        "no method for {} takes rational curves (column w); `curve eval`, `derivative`, `split` and `box` do", problem);
   else if (curve.form == Form::power)
     why = fmt::format("no method for {} takes the power form; see `curve convert`", problem);
   throw Failure(Exit::usage, "{}: {}", name, why);
@@ -116,9 +117,10 @@ void refuse_curve(const std::string& name, const CurveFile& curve, const MethodI
 
 void require_point(const reference::ExactPoint& point, double t, const std::string& name) {
   if (!point.exists())
-    throw Failure(Exit::usage, fmt::format("--t {}: the weights of {} sum to zero there, so the curve has no point; see "
-                                           "column w or choose another t",
-                                           number::decimal(t), name));
+    throw Failure(Exit::usage,
+                  fmt::format("--t {}: the weights of {} sum to zero there, so the curve has no point; see "
+                              "column w or choose another t",
+                              number::decimal(t), name));
 }
 
 void unknown_method(const std::string& id, Problem problem) {

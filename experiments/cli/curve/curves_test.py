@@ -184,11 +184,16 @@ class Curves(Case):
         found = rows(self.fine("curve", "derivative", "--curve", "w.csv", "--order", "2", "--t", "0"))
         self.assertEqual(list(found[0]), EVAL_COLUMNS[:2] + ["order"] + EVAL_COLUMNS[2:])
         self.assertEqual({row["order"] for row in found}, {"2"})
-        self.write("r.csv", "x,w\n0,1\n1,2\n")
+        self.write("r.csv", "x,w\n0,1\n1,2\n")  # 2t / (1 + t)
+        for row in rows(self.fine("curve", "derivative", "--curve", "r.csv", "--order", "2", "--t", "0.25")):
+            self.assertAlmostEqual(float(row["value"]), -4 / 1.25**3, delta=1e-14)
+        self.refused(USAGE, ["curve", "derivative", "--curve", "r.csv", "--order", "1", "--control-points"], "rational", "--t")
+        self.write("p.csv", "x,w\n0,1\n1,-1\n")
         derivative = ["curve", "derivative", "--t", "0.5", "--curve"]
         for arguments, *needles in [
                 (["w.csv", "--order", "-1"], "--order"), (["w.csv", "--order", "1.5"], "--order"), (["w.csv"], "--order"),
-                (["r.csv", "--order", "1"], "r.csv", "column w"),
+                (["r.csv", "--order", "1", "--method", "differences_de_casteljau"], "column w"),
+                (["p.csv", "--order", "1"], "--t 0.5", "sum to zero"),
                 (["w.csv", "--order", "1", "--method", "seed_00"], 'did you mean "seed_000"?'),
                 (["w.csv", "--order", "1", "--method", "power_derivative"], "bernstein form")]:
             with self.subTest(arguments=arguments):
