@@ -12,6 +12,7 @@
 #include "experiments/bundle/csv.hpp"
 #include "experiments/bundle/digest.hpp"
 #include "experiments/bundle/schema/columns.hpp"
+#include "experiments/run/progress.hpp"
 #include "experiments/suite/external.hpp"
 #include "experiments/suite/ids.hpp"
 #include "experiments/suite/text/reader.hpp"
