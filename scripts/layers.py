@@ -23,7 +23,7 @@ TABLE = {
     "experiments": ([], []),
     "experiments/number": ([], []),
     "experiments/suite": (["core/curve_view.hpp", "core/method.hpp"], ["toml++"]),
-    "experiments/sample": (["experiments/suite", "reference/curves", "reference/rational.hpp", "core/curve_view.hpp"], ["Random123", "GMP/MPFR"]),
+    "experiments/sample": (["experiments/suite", "reference/curves", "core/curve_view.hpp"], ["Random123"]),
     "experiments/metric": (["reference", "core/curve_view.hpp", "core/bound", "core/vector", "core/powers.hpp", "core/binomial.hpp", "core/factorial.hpp"], ["Boost.Math"]),
     "experiments/requirements": (["core/evaluate", "core/curve_view.hpp", "core/method.hpp", "experiments/metric", "reference"], []),
     "experiments/judge": (
