@@ -41,6 +41,13 @@ constexpr double larger(double a, double b) { return a < b ? b : a; }
 constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
 constexpr std::size_t whole_groups(std::size_t count) { return (count + 3) & ~std::size_t{3}; }
 
+/// At least `more` M(`less` / `more`): e, where the inner control points are at the distances `more` and |`less`| from
+/// the chord, |less| <= more; `less` is below 0 where both feet are inside and the points on different sides.
+constexpr double largest_distance(double more, double less) {
+  return larger(larger(0.44444445 * more + 0.155769 * less, 0.44444445 * more + 0.265812 * less),
+                0.404701 * more + 0.3453 * less);
+}
+
 /// Up to this number of chords, a number and the next one are tried at once.
 inline constexpr int most_tried_at_once = 7;
 
@@ -198,12 +205,6 @@ struct EqualErrors {
     }
     P derivative_at(double t) const { return powers[1] + t * (2 * powers[2] + 3 * t * powers[3]); }
 
-    /// e, where the inner control points are at these distances on the same side, less <= more, or below 0 on another.
-    static double bound(double more, double less) {
-      return larger(larger(0.44444445 * more + 0.15577 * less, 0.44444445 * more + 0.265812 * less),
-                    0.404701 * more + 0.3453 * less);
-    }
-
     /// The steps between the first `size` t.
     void measure(Steps& steps, std::size_t size) const {
       const std::size_t padded = whole_groups(size - 1);
@@ -234,7 +235,7 @@ struct EqualErrors {
           const double more = larger(std::abs(d1), std::abs(d2));
           const double less = smaller(std::abs(d1), std::abs(d2));
           const double same_side = d1 * d2 < 0 ? -1 : 1;
-          const double e = bound(more, same_side * less);
+          const double e = equal_errors::largest_distance(more, same_side * less);
           // 2^-1000 is far below all products that count, and keeps 0/0 and a zero without sign away.
           const double square = e * e / (squared_length * squared_limit + 0x1p-1000) + 0x1p-1000;
           const double inside = smaller(smaller(along_one, squared_length - along_one),
@@ -257,7 +258,7 @@ struct EqualErrors {
       const P zero = P::Zero();
       const double s1 = squared_distance_to_segment<Dimension>(one, zero, chord);
       const double s2 = squared_distance_to_segment<Dimension>(other, zero, chord);
-      const double e = bound(std::sqrt(std::max(s1, s2)), std::sqrt(std::min(s1, s2)));
+      const double e = equal_errors::largest_distance(std::sqrt(std::max(s1, s2)), std::sqrt(std::min(s1, s2)));
       return e * e / (limit * limit);
     }
     bool is_near(double from, double to) const { return measured(from, to) <= 1; }

@@ -195,5 +195,19 @@ TEST(Flatten, Kurbo426) {
     EXPECT_EQ(judged(in_plane(b), flattened(kernel_named(id), in_plane(b), 0.25), 0.25), Kept::proved) << id;
 }
 
+/// M(r) of equal_errors.hpp at 20,000 t.
+TEST(EqualErrors, NoPointIsFartherThanItsBoundFromTheInnerControlPoints) {
+  for (int k = -64; k <= 64; ++k) {
+    const double r = k / 64.0;
+    double largest = 0;
+    for (int i = 0; i <= 20000; ++i) {
+      const double t = i / 20000.0;
+      largest = std::max(largest, std::abs(3 * t * (1 - t) * ((1 - t) + t * r)));
+    }
+    EXPECT_GE(equal_errors::largest_distance(1, r), largest) << "r " << r;
+    EXPECT_LE(equal_errors::largest_distance(1, r), 1.05 * largest) << "r " << r;
+  }
+}
+
 }  // namespace
 }  // namespace bezierbench
