@@ -135,12 +135,14 @@ async function contents(path, options) {
     await page.locator(`nav a[href="#${id}"]`).click();
     const place = () => page.evaluate((one) => [document.getElementById(one).getBoundingClientRect().top,
       document.documentElement.scrollHeight - innerHeight - scrollY], id);
-    let [[top, left], before] = [await place(), []];
-    for (let tries = 0; tries < 20 && String(before) !== String([top, left]); tries += 1) { // until it no longer moves
+    const there = () => top > -1 && (top < 120 || left < 2);
+    let [top, left] = await place();
+    for (let [tries, times] = [0, 0]; tries < 50 && times < 3; tries += 1) { // until it is there and stays
       await page.waitForTimeout(60);
-      [before, [top, left]] = [[top, left], await place()];
+      [top, left] = await place();
+      times = there() ? times + 1 : 0;
     }
-    check(top > -1 && (top < 120 || left < 2), `the link to ${id} lands ${Math.round(top)} px above its heading`);
+    check(there(), `the link to ${id} lands ${Math.round(top)} px above its heading`);
   }
   await page.context().close();
 }

@@ -42,13 +42,21 @@ function start() {
   goToPlace();
 }
 
+// Sections between here and there get their height only when they are first drawn, which moves the place: so the page goes there
+// again whenever its height changes, until the reader moves on.
+const arrive = new ResizeObserver(() => document.getElementById(decodeURIComponent(place))?.scrollIntoView());
+let arrived;
+for (const move of ["wheel", "touchmove", "keydown", "pointerdown"]) addEventListener(move, () => arrive.disconnect());
+
 addEventListener("hashchange", () => {
   if (!location.hash.includes("?")) {
     place = location.hash.slice(1);
     const query = new URLSearchParams([...state]).toString();
     if (query) history.replaceState(null, "", `#${place}?${query}`);
-    // Sections between here and there get their height only when they are first drawn, which moves the place.
-    setTimeout(() => document.getElementById(decodeURIComponent(place))?.scrollIntoView(), 100);
+    arrive.disconnect(); // so that it begins anew
+    arrive.observe(document.querySelector("main"));
+    clearTimeout(arrived);
+    arrived = setTimeout(() => arrive.disconnect(), 3000);
   } else {
     location.reload();
   }
