@@ -12,7 +12,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(numerics INTERFACE -fno-semantic-interposition)
 endif()
 target_link_options(numerics INTERFACE -fno-fast-math) # -ffast-math at link time would flush subnormals to zero
-target_compile_definitions(numerics INTERFACE EIGEN_DONT_VECTORIZE)
+target_compile_definitions(numerics INTERFACE EIGEN_DONT_VECTORIZE BEZIERBENCH_SLOW_FMA)
 target_include_directories(numerics INTERFACE ${PROJECT_SOURCE_DIR})
 string(JOIN " " BEZIERBENCH_FP_FLAGS_TEXT ${BEZIERBENCH_FP_FLAGS})
 

@@ -72,6 +72,7 @@ struct MethodInfo {
   std::optional<ErrorBound> bound = std::nullopt;
   std::string_view promise = {};  ///< of a companion problem's method: the property that its results have, for people
   bool bit_stable = true;         ///< false where libm decides the last bits
+  bool fused = false;             ///< has fused multiply-adds: slow where std::fma is a call
   OneMinusT one_minus_t = OneMinusT::unused;
   std::string_view flops;     ///< in n and d, per point, a fused multiply-add being one; for a conversion, per curve
   int cost_exponent = 1;      ///< k of the claim that these flops are O(n^k)

@@ -169,6 +169,20 @@ class Package(unittest.TestCase):
         run("cmake", "--install", self.folder / "build", "--prefix", self.folder / "prefix")
         self.assertFalse((self.folder / "prefix").exists())
 
+    def test_a_fused_method_that_the_options_make_slow_warns(self):
+        if "FP_FAST_FMA" in run("g++", "-x", "c++", "-include", "cmath", "-dM", "-E", "/dev/null").stdout:
+            self.skipTest("std::fma is an instruction here without an option")
+        text = POINT.replace("evaluate(points", "evaluate<bezierbench::HornerBernsteinFma>(points")
+        for options, warns in (("", True), ("-march=x86-64-v3", False), ("-DBEZIERBENCH_SLOW_FMA", False)):
+            with self.subTest(options=options):
+                (self.folder / "main.cpp").write_text(text, encoding="utf-8")
+                done = self.project("find_package(bezierbench 1 CONFIG REQUIRED)", f"set(CMAKE_CXX_FLAGS {options})",
+                                    "add_executable(main main.cpp)", "target_link_libraries(main PRIVATE bezierbench::methods)")
+                self.assertEqual(done.returncode, 0, done.stdout)
+                done = run("cmake", "--build", self.folder / "build", "--clean-first")
+                self.assertEqual(done.returncode, 0, done.stdout)
+                self.assertEqual("std::fma is a call" in done.stdout, warns, done.stdout)
+
     def test_find_package_says_what_is_missing(self):
         self.assertEqual(self.project("find_package(bezierbench 1 CONFIG REQUIRED)",
                                       "get_target_property(x bezierbench::methods TYPE)").returncode, 0)

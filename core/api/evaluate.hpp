@@ -82,6 +82,23 @@ int degree_for(const Points& points) {
   return degree_of_points(points, Method::info.min_degree, highest);
 }
 
+#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(BEZIERBENCH_SLOW_FMA)
+inline constexpr bool warns_of_slow_fma = false;
+#else
+inline constexpr bool warns_of_slow_fma = true;
+#endif
+inline void compile_fused(std::false_type /*warns*/) {}
+[[deprecated(
+    "bezierbench: this method is fused, and std::fma is a call with these options, several times slower: compile with "
+    "-march=x86-64-v3 or define BEZIERBENCH_SLOW_FMA")]] inline void
+compile_fused(std::true_type /*warns*/) {}
+
+/// Warns where a fused method is named that the compiler's options make slow.
+template <class Method>
+void compile_named() {
+  compile_fused(std::bool_constant<(Method::info.fused && warns_of_slow_fma)>{});
+}
+
 /// Prepares and evaluates.
 template <class Method, class C, class Scalar>
 auto point_of(const C& curve, const Scalar& t) {
@@ -102,7 +119,9 @@ class PreparedCurve {
   using Scalar = ScalarOf<Points>;
 
   explicit PreparedCurve(const Points& points)
-      : state_(Method::prepare(detail::curve_of<Method::info.form>(points, detail::degree_for<Method>(points)))) {}
+      : state_(Method::prepare(detail::curve_of<Method::info.form>(points, detail::degree_for<Method>(points)))) {
+    detail::compile_named<Method>();
+  }
 
   /// The point at t.
   [[nodiscard]] PointOf<Points> operator()(const Scalar& t) const {
@@ -127,6 +146,7 @@ template <Evaluator Method, ControlPoints Points>
 requires(Method::info.form !=
          Form::rational) PointOf<Points> evaluate(const Points& points,
                                                   const std::type_identity_t<ScalarOf<Points>>& t) {
+  detail::compile_named<Method>();
   return detail::point_of<Method>(detail::curve_of<Method::info.form>(points, detail::degree_for<Method>(points)), t);
 }
 
@@ -135,6 +155,7 @@ template <Evaluator Method, ControlPoints Points, WeightsOf<Points> Weights>
 requires(Method::info.form ==
          Form::rational) PointOf<Points> evaluate(const Points& points, const Weights& weights,
                                                   const std::type_identity_t<ScalarOf<Points>>& t) {
+  detail::compile_named<Method>();
   return detail::point_of<Method>(detail::curve_of(points, weights, detail::degree_for<Method>(points)), t);
 }
 

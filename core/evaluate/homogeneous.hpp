@@ -79,6 +79,7 @@ requires(Method::info.form == Form::bernstein) struct Homogeneous : FixedDegrees
                                    .unit_interval_only = Method::info.unit_interval_only,
                                    .bound = bound(),
                                    .bit_stable = Method::info.bit_stable,
+                                   .fused = Method::info.fused,
                                    .one_minus_t = Method::info.one_minus_t,
                                    .flops = detail::Joined<detail::FlopsOf<Method>, FlopsSuffix>::text,
                                    .cost_exponent = Method::info.cost_exponent,

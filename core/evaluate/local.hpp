@@ -81,6 +81,7 @@ constexpr MethodInfo local_info(const std::optional<ErrorBound>& bound) {
           .unit_interval_only = Method::info.unit_interval_only,
           .bound = bound,
           .bit_stable = Method::info.bit_stable,
+          .fused = Method::info.fused,
           .one_minus_t = Method::info.one_minus_t,
           .flops = Joined<FlopsOf<Method>, Flops>::text,
           .cost_exponent = Method::info.cost_exponent,

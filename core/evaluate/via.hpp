@@ -131,6 +131,7 @@ requires(Converter::target == Method::info.form) struct Via {
       .unit_interval_only = Method::info.unit_interval_only,
       .bound = bound(),
       .bit_stable = Converter::info.bit_stable && Method::info.bit_stable,
+      .fused = Method::info.fused,
       .one_minus_t = Method::info.one_minus_t,
       .flops = Method::info.flops,
       .cost_exponent = Method::info.cost_exponent,

@@ -135,6 +135,7 @@ void expect_stated_flops(TypeList<Es...> /*evaluators*/) {
       for (const int d : {1, 2, 3}) {
         const auto counted = point_operations(*method, n, d, Layout::points);
         if (!counted) continue;  // libm does the work
+        EXPECT_EQ(method->fused, (*counted)[Operation::fused] > 0) << method->id << " says whether it is fused";
         const auto claim = stated(method->flops, n, d);
         EXPECT_LE(counted->flops(), claim.most)
             << method->id << " (" << method->flops << "), n = " << n << ", d = " << d;

@@ -26,6 +26,7 @@ struct KFoldDeCasteljau : TakenAsGiven<Form::bernstein> {
           "u p~ + c_2 u^2 p~, c_2 = 9 C(n,2) + 15 n; below u p~ + 2 gamma_3n^2 p~",
           "(u + 12 u^2) p~ + (c_3 + 64) u^3 p~, c_3 = 27 C(n,3) + 135 C(n,2) + 150 n",
           "(u + 27 u^2) p~ + (c_4 + 1296) u^4 p~, c_4 = 81 C(n,4) + 810 C(n,3) + 2475 C(n,2) + 2250 n")),
+      .fused = true,
       .flops = detail::for_parts<K>("18d n(n+1)/2 + 7d + 6", "59d n(n+1)/2 + 26d + 6", "130d n(n+1)/2 + 57d + 6"),
       .cost_exponent = 2,
       .citation = K == 2 ? "[Jiang et al. 2010], Theorem 5" : "[Hermes 2019], Algorithm 4.2 and section 4.2"};

@@ -26,6 +26,7 @@ struct CompensatedHorner : TakenAsGiven<Form::power> {
                                                        .underflow = [](int n) { return 2.0 * n; },
                                                        .growth = [](int n) { return n + 1.0; },
                                                        .result_roundings = 1},
+                                   .fused = true,
                                    .flops = "11dn + d",
                                    .citation = "[Graillat et al. 2009]"};
   static constexpr LaneRegisters lanes{.per_axis = 2, .shared = 3};

@@ -22,6 +22,7 @@ struct KFoldHorner : TakenAsGiven<Form::power> {
       .bound = compensated_horner_bound<K>(
           K == 3 ? "(u + 12 u^2) p~ + (c_3 + 64) u^3 p~, c_3 = 8 C(n+1,3) + 12 C(n+1,2)"
                  : "(u + 27 u^2) p~ + (c_4 + 1296) u^4 p~, c_4 = 16 C(n+1,4) + 56 C(n+1,3) + 48 C(n+1,2)"),
+      .fused = true,
       .flops = K == 3 ? "26dn + 26d" : "47dn + 57d",
       .citation = "[Hermes 2019], Algorithm 4.2, for Horner's scheme; [Cameron and Graillat 2024]"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = K == 3 ? 9 : 12};

@@ -84,6 +84,7 @@ struct CompensatedVolkSchumaker : SameForEveryAxis {
                           .underflow_scales_with_coefficients = true,
                           .growth = [](int n) { return integer_power(2.0, n); },
                           .result_roundings = 1},
+      .fused = true,
       .flops = "at most 14dn + 7d + 12 log2 n + 19",
       .citation = "[Delgado and Pena 2016]; [Schumaker and Volk 1986]"};
   static constexpr LaneRegisters lanes{.per_axis = 2, .shared = 6};

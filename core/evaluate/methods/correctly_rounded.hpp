@@ -48,6 +48,7 @@ struct CorrectlyRounded {
                           .underflow = [](int /*n*/) { return 0.5; },  // where the result is subnormal
                           .unit_interval_only = true,
                           .result_roundings = 1},
+      .fused = true,
       .flops = "at most 10dn + 8d + 8 log2 n + 16",
       .citation = "[Schumaker and Volk 1986]; [Graillat et al. 2009]; [de Dinechin et al. 2013]; bound derived here"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 6, .one_curve_only = true};

@@ -36,6 +36,7 @@ struct CorrectlyRoundedPower {
                                                        .growth = [](int n) { return n + 1.0; },
                                                        .unit_interval_only = true,
                                                        .result_roundings = 1},
+                                   .fused = true,
                                    .flops = "9dn + 5d",
                                    .citation = "[Graillat et al. 2009]; [de Dinechin et al. 2013]; bound derived here"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 5, .one_curve_only = true};

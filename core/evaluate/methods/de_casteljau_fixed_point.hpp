@@ -71,6 +71,7 @@ struct DeCasteljauFixedPoint {
                                    .label = "de Casteljau, fixed point",
                                    .form = Form::bernstein,
                                    .unit_interval_only = true,
+                                   .fused = true,
                                    .flops = "d(n(n+1) + 2)",
                                    .cost_exponent = 2,
                                    .citation = "[Rump et al. 2008], section 3, for the offset; bound derived here"};

@@ -28,6 +28,7 @@ struct DeCasteljauFma : TakenAsGiven<Form::bernstein> {
                                                        .amplification = Amplification::p_tilde_bernstein,
                                                        .factor = [](int n, double u) { return gamma_over_u(2 * n, u); },
                                                        .underflow = [](int n) { return 2.0 * n; }},
+                                   .fused = true,
                                    .flops = "d n(n+1)",
                                    .cost_exponent = 2,
                                    .citation = "[Farin 2002], with fused linear interpolation; bound derived here"};

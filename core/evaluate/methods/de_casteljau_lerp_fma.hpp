@@ -18,6 +18,7 @@ struct DeCasteljauLerpFma : TakenAsGiven<Form::bernstein> {
   static constexpr MethodInfo info{.id = "de_casteljau_lerp_fma",
                                    .label = "de Casteljau, a + t(b - a), fused",
                                    .form = Form::bernstein,
+                                   .fused = true,
                                    .flops = "d n(n+1)",
                                    .cost_exponent = 2,
                                    .citation = "[Document 004], with fused linear interpolation"};

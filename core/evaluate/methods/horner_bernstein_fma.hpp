@@ -30,6 +30,7 @@ struct HornerBernsteinFma : SameForEveryAxis {
                      .underflow = HornerBernstein::info.bound->underflow,
                      .underflow_scales_with_coefficients = true,
                      .growth = central_binomial},
+      .fused = true,
       .one_minus_t = OneMinusT::summed,
       .flops = "n(1+2d) + 1",
       .citation = "[Farin 2002], nested multiplication, with fused steps"};

@@ -26,6 +26,7 @@ struct HornerCorrected : TakenAsGiven<Form::power> {
                                                        .growth = [](int n) { return 2 * (n + 1.0); },
                                                        .result_roundings = 1 + 0x1p-20,
                                                        .constant_roundings = 1 + 0x1p-20},
+                                   .fused = true,
                                    .flops = "d(n+6)",
                                    .citation = "[Boldo and Muller 2011], the error of a fused multiply-add"};
   static constexpr LaneRegisters lanes{.per_axis = 2, .shared = 1};

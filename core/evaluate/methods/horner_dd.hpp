@@ -30,6 +30,7 @@ struct HornerDoubleDouble : TakenAsGiven<Form::power_double_double> {
                                                        .underflow = [](int n) { return 2.0 * n; },
                                                        .growth = [](int n) { return n + 1.0; },
                                                        .result_roundings = 1},
+                                   .fused = true,
                                    .flops = "12dn + d",
                                    .citation = "[Graillat et al. 2009], on double-double coefficients"};
   static constexpr LaneRegisters lanes{.per_axis = 2, .shared = 3};

@@ -22,6 +22,7 @@ struct HornerFma : TakenAsGiven<Form::power> {
                                                        .underflow = [](int n) { return 1.0 * n; },
                                                        .growth = [](int n) { return n + 1.0; },
                                                        .constant_roundings = 1},
+                                   .fused = true,
                                    .flops = "dn",
                                    .citation = "[Higham 2002], section 5.1, with fused steps"};
   static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 1};

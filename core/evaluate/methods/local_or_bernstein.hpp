@@ -55,6 +55,7 @@ struct LocalOrBernstein {
                           .underflow_scales_with_coefficients = true,
                           .growth = HornerBernsteinFma::info.bound->growth,
                           .of_local = &of_local},
+      .fused = true,
       .one_minus_t = OneMinusT::summed,
       .flops = "dn + 1 or d(n+6) + 1 or n(1+2d) + 1",
       .prepare_exponent = 2,
