@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A proved error bound of a point of a B-spline curve as data, like ErrorBound of a point of a Bezier curve, and of the
-// control points of a knot span in Bernstein form.
+// control points of a knot span in Bernstein form. docs/proofs/homogeneous.md derives what it becomes with weights.
 #pragma once
 
 #include <optional>

@@ -2,8 +2,11 @@
 #include "core/bspline/kernel.hpp"
 
 #include <cassert>
+#include <concepts>
+#include <functional>
 
 #include "core/bspline/roster.hpp"
+#include "core/evaluate/homogeneous.hpp"
 #include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/kernel_tables.hpp"
 
@@ -18,10 +21,33 @@ constexpr const BsplineBound* bound_of() {
     return nullptr;
 }
 
-template <class P>
-double* write(const P& point, int dimension, double* coordinates) {
-  for (int axis = 0; axis < dimension; ++axis) *coordinates++ = point[axis];
-  return coordinates;
+/// Where `solve` writes next.
+struct Output {
+  double* next;
+
+  template <class Scalar, int Dimension>
+  void write(const Point<Scalar, Dimension>& point) {
+    for (int axis = 0; axis < Dimension; ++axis) *next++ = point[axis];
+  }
+};
+
+/// Writes what the method finds; `point_from` makes a point of the curve from one that the method has.
+template <class M, int Dimension, class PointFrom>
+void write_solved(const BsplineSpan<double, Dimension>& span, double t, const PointFrom& point_from, Output& output) {
+  if constexpr (BsplineConversion<M>) {
+    const auto bernstein = M::convert(span);
+    output.write(point_from(point_of_span(bernstein, span.begin(), span.end(), t)));
+    for (int i = 0; i <= span.degree(); ++i) {
+      Point<double, Dimension> point;
+      for (int axis = 0; axis < Dimension; ++axis) point[axis] = bernstein(axis, i);
+      output.write(point_from(point));
+    }
+    constexpr bool homogeneous =
+        !std::same_as<decltype(point_from(Point<double, Dimension>())), Point<double, Dimension>>;
+    for (int i = 0; homogeneous && i <= span.degree(); ++i) *output.next++ = bernstein(Dimension - 1, i);
+  } else {
+    output.write(point_from(M::evaluate(span, t)));
+  }
 }
 
 struct MakeKernel {
@@ -35,16 +61,21 @@ struct MakeKernel {
   template <class M, int Dimension>
   static void solve(const BsplineSpanView& view, double t, double* coordinates) {
     assert(are_span_knots(view.knots));
-    BsplineSpan<double, Dimension> span(view.knots);
-    instantiate::fill(CurveView<double>{Form::bernstein, Dimension, view.degree, view.control_points},
-                      span.control_points);
-    if constexpr (BsplineConversion<M>) {
-      const auto bernstein = M::convert(span);
-      coordinates = write(point_of_span(bernstein, span.begin(), span.end(), t), Dimension, coordinates);
-      for (int i = 0; i <= view.degree; ++i)
-        for (int axis = 0; axis < Dimension; ++axis) *coordinates++ = bernstein(axis, i);
+    Output output{coordinates};
+    if (view.weights.empty()) {
+      BsplineSpan<double, Dimension> span(view.knots);
+      instantiate::fill(CurveView<double>{Form::bernstein, Dimension, view.degree, view.control_points},
+                        span.control_points);
+      write_solved<M>(span, t, std::identity(), output);
     } else {
-      write(M::evaluate(span, t), Dimension, coordinates);
+      BsplineSpan<double, Dimension + 1> span(view.knots);
+      for (int i = 0, k = 0; i <= view.degree; ++i) {
+        const double weight = view.weights[static_cast<std::size_t>(i)];
+        for (int axis = 0; axis < Dimension; ++axis)
+          span.control_points(axis, i) = weight * view.control_points[static_cast<std::size_t>(k++)];
+        span.control_points(Dimension, i) = weight;
+      }
+      write_solved<M>(span, t, over_last<double, Dimension + 1>, output);
     }
   }
 };

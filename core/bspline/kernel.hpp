@@ -9,13 +9,14 @@
 
 namespace bezierbench {
 
-/// A curve of degree m >= 1 in one knot span, as core/bspline/bspline.hpp describes it. Knots and control points
+/// A curve of degree m >= 1 in one knot span, as core/bspline/bspline.hpp describes it. Knots, control points and weights
 /// stay in the caller's memory.
 struct BsplineSpanView {
   int dimension = 2;
   int degree = 1;
   std::span<const double> knots;           ///< 2m
   std::span<const double> control_points;  ///< (m + 1) * dimension coordinates, point by point
+  std::span<const double> weights = {};    ///< m + 1 of a rational curve, else none
 };
 
 /// One method, for curves of one dimension.
@@ -25,13 +26,21 @@ struct BsplineKernel {
   int dimension;
   bool makes_bernstein;  ///< whether it makes the Bernstein form of the span
   /// Writes the coordinates of the point at t in the span and, where it makes the Bernstein form, behind them those of
-  /// its degree + 1 control points, point by point. The knots are those of `are_span_knots`.
+  /// its degree + 1 control points, point by point, and then the weights of a rational curve. The knots are those of
+  /// `are_span_knots`. A rational curve is evaluated in homogeneous coordinates (w_i d_i, w_i), which the last one
+  /// divides ([Piegl and Tiller 1997], section 4.2).
   void (*solve)(const BsplineSpanView& span, double t, double* coordinates);
 };
 
 /// The number of points that `solve` writes.
 inline int points_solved(const BsplineKernel& kernel, int degree) {
   return 1 + (kernel.makes_bernstein ? degree + 1 : 0);
+}
+
+/// The number of numbers that it writes.
+inline int numbers_solved(const BsplineKernel& kernel, const BsplineSpanView& span) {
+  const int points = points_solved(kernel, span.degree);
+  return points * span.dimension + (span.weights.empty() ? 0 : points - 1);
 }
 
 /// All methods, in roster order. Dimension is 1, 2 or 3.

@@ -22,7 +22,7 @@ namespace {
 constexpr double u = 0x1p-53;
 
 std::vector<double> solve(const BsplineKernel& kernel, const BsplineSpanView& span, double t) {
-  std::vector<double> all(static_cast<std::size_t>(points_solved(kernel, span.degree) * span.dimension));
+  std::vector<double> all(static_cast<std::size_t>(numbers_solved(kernel, span)));
   kernel.solve(span, t, all.data());
   return all;
 }
@@ -60,6 +60,22 @@ TEST(Bspline, TheFirstSpanOfAClampedCurveBeginsInItsFirstPoint) {
       EXPECT_EQ(all[0], control_points[0]) << kernel.info->id << " degree " << n;
       EXPECT_EQ(all[1], control_points[1]) << kernel.info->id << " degree " << n;
     }
+  }
+}
+
+/// A span whose Bernstein form it is already, exactly: the quarter circle with weights 1, 1, 2.
+TEST(Bspline, WeightsMakeACircle) {
+  const std::vector<double> knots{0, 0, 1, 1};
+  const std::vector<double> control_points{1, 0, 1, 1, 0, 1};
+  const std::vector<double> weights{1, 1, 2};
+  for (const auto& kernel : bspline_kernels(2)) {
+    const auto all = solve(kernel, {2, 2, knots, control_points, weights}, 0.5);
+    ASSERT_EQ(all.size(), kernel.makes_bernstein ? 11U : 2U) << kernel.info->id;
+    EXPECT_DOUBLE_EQ(all[0], 0.6) << kernel.info->id;  // 3/5 and 4/5: the half angle has the tangent t
+    EXPECT_DOUBLE_EQ(all[1], 0.8) << kernel.info->id;
+    if (!kernel.makes_bernstein) continue;
+    EXPECT_EQ(std::vector(all.begin() + 2, all.begin() + 8), control_points) << kernel.info->id;
+    EXPECT_EQ(std::vector(all.begin() + 8, all.end()), weights) << kernel.info->id;
   }
 }
 

@@ -3,6 +3,7 @@
 // core/bound/derivative_bound.hpp, and the proved bound, with Euclidean norms as in TrialScale.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -91,6 +92,31 @@ inline double bound_at(const BsplineBound::Part& bound, const BsplineSizes& size
   if (!stays_in_range(sizes.largest, sizes.degree, u)) return std::numeric_limits<double>::infinity();
   const double lost = std::ceil(bound.underflow(sizes.degree)) * sizes.axes * (1 + sizes.largest);
   return bound.factor(sizes.degree, u) * u * sizes.p_tilde + lost * arithmetic.smallest_subnormal;
+}
+
+/// What the bound of a rational curve depends on besides.
+struct BsplineWeightSizes {
+  double sum;              ///< W = sum w_i N_i, or sum w_i c_i
+  double largest;          ///< max w_i
+  double largest_product;  ///< max w_i |d_i|
+};
+
+/// The bound of a curve with weights w_i > 0, of which p~ = sum w_i |d_i| N_i / W, by docs/proofs/homogeneous.md.
+/// Infinite where a result on the way may overflow, and where underflow may take an eighth of W.
+inline double bound_at(const BsplineBound::Part& bound, const BsplineSizes& sizes, const BsplineWeightSizes& weights,
+                       const reference::Arithmetic& arithmetic) {
+  const double u = arithmetic.unit_roundoff;
+  const double eta = arithmetic.smallest_subnormal;
+  const double factor = bound.factor(sizes.degree, u);
+  const double phi = factor * u;
+  const double underflow = std::ceil(bound.underflow(sizes.degree)) * eta;
+  const double from_sum = underflow * (1 + weights.largest);
+  const double from_products = (underflow * (1 + weights.largest_product) + eta) * sizes.axes;
+  const bool in_range = stays_in_range(std::max(weights.largest, weights.largest_product), sizes.degree, u) &&
+                        stays_in_range(sizes.largest, sizes.degree, u);
+  if (!in_range || !(phi <= 0.125) || !(from_sum <= weights.sum / 8)) return std::numeric_limits<double>::infinity();
+  const double rounding = (2 * factor + (2 + u) * (1 + phi)) / (1 - phi) * u * sizes.p_tilde;
+  return rounding + 2 * (from_sum * sizes.p_tilde + from_products) / weights.sum + eta * sizes.axes;
 }
 
 }  // namespace bezierbench::metric

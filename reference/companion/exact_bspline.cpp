@@ -40,6 +40,18 @@ ExactBsplineWeights ExactBsplineWeights::of_control_point(std::span<const double
   return {knots, arguments};
 }
 
+ExactBsplineWeights ExactBsplineWeights::with(std::span<const double> weights) const {
+  assert(weights.size() == weights_.size());
+  auto result = *this;
+  mpq_class total = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    result.weights_[i] *= mpq_class(require_finite(weights[i]));
+    total += result.weights_[i];
+  }
+  for (auto& weight : result.weights_) weight /= total;
+  return result;
+}
+
 ExactPoint ExactBsplineWeights::sum(int dimension, std::span<const double> control_points) const {
   const auto d = static_cast<std::size_t>(dimension);
   assert(dimension <= max_dimension && control_points.size() == weights_.size() * d);

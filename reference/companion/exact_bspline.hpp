@@ -28,8 +28,11 @@ class ExactBsplineWeights {
   /// For control point k of the Bernstein form, 0 <= k <= m.
   static ExactBsplineWeights of_control_point(std::span<const double> knots, int k);
 
+  /// Those of a rational curve with these m + 1 finite weights: w_i N_i / sum w_j N_j. The sum must not be zero.
+  [[nodiscard]] ExactBsplineWeights with(std::span<const double> weights) const;
+
   /// The sum over m + 1 finite points, given point by point, of at most 3 coordinates. For arguments within the span no
-  /// weight is negative; magnitudes in place of coordinates then give the p~ of this value.
+  /// weight is negative, unless one in `with` is; magnitudes in place of coordinates then give the p~ of this value.
   [[nodiscard]] ExactPoint sum(int dimension, std::span<const double> control_points) const;
 
  private:

@@ -53,6 +53,19 @@ TEST(ExactBspline, ControlPointsAreValuesAtTheEndsOfTheSpan) {
   }
 }
 
+/// The quarter circle with weights 1, 1, 2, which is exact; its knots could be those of any clamped span.
+TEST(ExactBspline, WeightsMakeACircle) {
+  const Numbers weights{1, 1, 2};
+  for (const double t : {0.0, 0.1, 0.5, 0.7, 1.0}) {
+    const auto basis = ExactBsplineWeights::at(Numbers{0, 0, 1, 1}, t);
+    const auto point = basis.with(weights).sum(2, Numbers{1, 0, 1, 1, 0, 1});
+    EXPECT_TRUE(
+        same(point.coordinate(0) * point.coordinate(0) + point.coordinate(1) * point.coordinate(1), exactly(1.0)))
+        << t;
+    EXPECT_TRUE(same(basis.with(Numbers{3, 3, 3}).sum(1, weights).coordinate(0), basis.sum(1, weights).coordinate(0)));
+  }
+}
+
 /// Thirds, which no double is: the uniform quadratic's knots 0, 1, 3, 4 have N_0(1) = 2/3.
 TEST(ExactBspline, HasFractions) {
   const auto point = ExactBsplineWeights::at(Numbers{0, 1, 3, 4}, 1).sum(2, Numbers{1, 0, 0, 1, 0, 0});

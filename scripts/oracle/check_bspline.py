@@ -3,7 +3,8 @@
 """Judges `bezierbench curve bspline` by the definition in rational arithmetic, over knots of many kinds.
 
 Basis functions come from the recurrence of de Boor and Cox over all knots of the curve, with 0/0 = 0. The Bernstein form of a
-span is what has the same values at n + 1 places of it: a system of linear equations.
+span is what has the same values at n + 1 places of it: a system of linear equations. Every third curve has weights w_i: basis
+function N_i becomes w_i N_i over the sum of these.
 
 check_bspline.py PROGRAM [--seed S]    exits 1 with the first mismatches
 """
@@ -95,21 +96,31 @@ def weighted(weights, coefficients):
                  for made in (coefficients, list(map(abs, coefficients))))
 
 
-def judge(program, case, knots):
+def rational(basis_weights, weights):
+    """The basis functions of a rational curve."""
+    products = [w * Fraction(own) for w, own in zip(basis_weights, weights)]
+    return [product / sum(products) for product in products]
+
+
+def judge(program, case, knots, own):
+    """`own`: the weights of the curve, of which there are none in a polynomial one."""
     degree = len(knots) - len(case.axes[0]) - 1
     rows, _ = program.ask("bspline", "--points", list(zip(*case.axes)), "--knots", ",".join(u.hex() for u in knots),
-                          *(f"--t={t.hex()}" for t in case.parameters))
+                          *(f"--t={t.hex()}" for t in case.parameters), *(["--weights", ",".join(w.hex() for w in own)] if own else ()))
     wanted = [(method, float(t), index, axis) for method, makes_bernstein in METHODS.items() for t in case.parameters
-              for index in ("", *map(str, range(degree + 1) if makes_bernstein else ())) for axis in case.names]
+              for numbers in [list(map(str, range(degree + 1))) if makes_bernstein else []]
+              for index, axis in [*((index, axis) for index in ("", *numbers) for axis in case.names), *((index, "w") for index in numbers if own)]]
     right = {}
     for t in case.parameters:
         span = span_of(knots, degree, len(case.axes[0]), t)
         at_t = basis(knots, degree, span, t)
         weights = {"": [at_t[i] for i in sorted(at_t)],
                    **{str(k): made for k, made in enumerate(bernstein_of_basis(knots, degree, span))}}
-        for axis, coefficients in zip(case.names, case.axes):
-            for index, of_points in weights.items():
-                right[t, index, axis] = weighted(of_points, coefficients[span - degree:span + 1])
+        part = slice(span - degree, span + 1)
+        for index, of_points in weights.items():
+            for axis, coefficients in zip(case.names, case.axes):
+                right[t, index, axis] = weighted(rational(of_points, own[part]) if own else of_points, coefficients[part])
+            right[t, index, "w"] = weighted(of_points, own[part])
     for row in judging.rows_with_keys([{**row, "t": float(row["t"])} for row in rows], COLUMNS, wanted):
         yield from judging.judge_row(row, *right[row["t"], row["index"], row["axis"]])
 
@@ -127,7 +138,8 @@ def questions(program, seed):
         inside = [min(max(draw.uniform(knots[degree], knots[points]), knots[degree]), knots[points]) for _ in range(2)]
         parameters = list(dict.fromkeys([knots[degree], *inside, draw.choice(knots[degree:points + 1]), knots[points]]))
         case = Case(f"{of_points} points, {kind} knots, degree {degree}", "bernstein", axes, parameters)
-        yield case.name, judge(program, case, knots)
+        own = [draw.uniform(0.5, 2) * 2.0 ** draw.choice((0, draw.randint(-20, 20))) for _ in range(points)] if number % 3 == 0 else []
+        yield f"{case.name}, {len(own)} weights", judge(program, case, knots, own)
 
 
 if __name__ == "__main__":

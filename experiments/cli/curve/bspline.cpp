@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `curve bspline`: the points of one B-spline curve by any method, and the Bernstein form of the knot span by those
-// that make it, against the exact ones.
+// `curve bspline`: the points of one B-spline curve, with weights or without, by any method, and the Bernstein form of the
+// knot span by those that make it, against the exact ones.
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +16,7 @@ namespace {
 struct BsplineOptions {
   std::string points;
   std::string knots;
+  std::optional<std::string> weights;
   std::vector<std::string> t;
   std::vector<std::string> methods;
   bool control_points = false;
@@ -23,7 +24,8 @@ struct BsplineOptions {
 
 struct BsplineCurve {
   PointList points;
-  std::vector<double> knots;  ///< degree + 1 more than points, ascending
+  std::vector<double> knots;    ///< degree + 1 more than points, ascending
+  std::vector<double> weights;  ///< one for each point, positive; none of a polynomial curve
 
   [[nodiscard]] std::size_t degree() const { return knots.size() - points.count() - 1; }
   [[nodiscard]] double begin() const { return knots[degree()]; }
@@ -31,8 +33,16 @@ struct BsplineCurve {
 };
 
 BsplineCurve curve_of(const BsplineOptions& options) {
-  BsplineCurve curve{read_points(options.points), finite_numbers("--knots", options.knots)};
+  BsplineCurve curve{read_points(options.points), finite_numbers("--knots", options.knots), {}};
   const std::size_t points = curve.points.count();
+  if (options.weights) {
+    curve.weights = finite_numbers("--weights", *options.weights);
+    if (curve.weights.size() != points)
+      throw Failure(Exit::usage, "--weights: {} for the {} points in {}; write one for each", curve.weights.size(),
+                    points, options.points);
+    const auto least = *std::ranges::min_element(curve.weights);
+    if (!(least > 0)) throw Failure(Exit::usage, "--weights: {} is not above 0", number::decimal(least));
+  }
   if (curve.knots.size() < points + 2 || curve.degree() >= points)
     throw Failure(Exit::usage,
                   "--knots: {} knots for the {} points in {}; a curve of degree n has n + 1 knots more than points, so "
@@ -54,6 +64,8 @@ struct BsplineTarget {
   BsplineSpanView span;
   std::vector<reference::ExactPoint> truth;
   std::vector<reference::ExactPoint> p_tilde;
+  std::vector<double> weight_sums;               ///< of a rational curve, the sum of weights at each
+  std::vector<reference::ExactPoint> weights{};  ///< of the control points of its Bernstein form
 };
 
 /// The number of the first knot of the span that t lies in: the last one that is not behind t, unless the curve ends
@@ -70,52 +82,83 @@ BsplineSpanView span_view_at(const BsplineCurve& curve, std::size_t first) {
   const std::size_t n = curve.degree();
   const auto d = static_cast<std::size_t>(curve.points.dimension);
   return {curve.points.dimension, static_cast<int>(n), std::span(curve.knots).subspan(first - n + 1, 2 * n),
-          std::span(curve.points.coordinates).subspan((first - n) * d, (n + 1) * d)};
+          std::span(curve.points.coordinates).subspan((first - n) * d, (n + 1) * d),
+          std::span(curve.weights).subspan(curve.weights.empty() ? 0 : first - n, curve.weights.empty() ? 0 : n + 1)};
 }
 
 BsplineTarget target_of(const BsplineCurve& curve, double t) {
   if (t < curve.begin() || t > curve.end())
     throw Failure(Exit::usage, "--t {}: the curve is defined from {} to {}", number::decimal(t),
                   number::decimal(curve.begin()), number::decimal(curve.end()));
-  BsplineTarget target{t, span_view_at(curve, span_at(curve, t)), {}, {}};
+  BsplineTarget target{t, span_view_at(curve, span_at(curve, t)), {}, {}, {}};
   const auto knots = target.span.knots;
   const auto control_points = target.span.control_points;
   std::vector<double> magnitudes;
   for (const double x : control_points) magnitudes.push_back(std::abs(x));
-  const auto add = [&](const reference::ExactBsplineWeights& weights) {
-    target.truth.push_back(weights.sum(curve.points.dimension, control_points));
-    target.p_tilde.push_back(weights.sum(curve.points.dimension, magnitudes));
+  const auto add = [&](const reference::ExactBsplineWeights& basis) {
+    const auto& w = target.span.weights;
+    const auto rational = w.empty() ? basis : basis.with(w);
+    target.truth.push_back(rational.sum(curve.points.dimension, control_points));
+    target.p_tilde.push_back(rational.sum(curve.points.dimension, magnitudes));
+    if (w.empty()) return;
+    const auto sum = basis.sum(1, w);
+    target.weight_sums.push_back(reference::round_to(reference::binary64, sum.coordinate(0)));
+    if (target.truth.size() > 1) target.weights.push_back(sum);
   };
   add(reference::ExactBsplineWeights::at(knots, t));
   for (int k = 0; k <= target.span.degree; ++k) add(reference::ExactBsplineWeights::of_control_point(knots, k));
   return target;
 }
 
-/// The largest magnitude of an axis.
-double largest_of(const BsplineSpanView& span, int axis) {
-  double largest = 0;
-  for (std::size_t k = static_cast<std::size_t>(axis); k < span.control_points.size();
-       k += static_cast<std::size_t>(span.dimension))
-    largest = std::max(largest, std::abs(span.control_points[k]));
-  return largest;
+/// The bound on one axis of point `k` of what a method writes.
+double bound_of(const BsplineKernel& method, const BsplineTarget& target, std::size_t k, int axis) {
+  const auto& part = k == 0 ? method.bound->point : *method.bound->control;
+  const auto& span = target.span;
+  const double p_tilde = reference::round_to(reference::binary64, target.p_tilde[k].coordinate(axis));
+  metric::BsplineSizes sizes{span.degree, 1, p_tilde, 0};
+  metric::BsplineWeightSizes weights{};
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(span.degree); ++i) {
+    const double size =
+        std::abs(span.control_points[i * static_cast<std::size_t>(span.dimension) + static_cast<std::size_t>(axis)]);
+    sizes.largest = std::max(sizes.largest, size);
+    if (span.weights.empty()) continue;
+    weights.largest = std::max(weights.largest, span.weights[i]);
+    weights.largest_product = std::max(weights.largest_product, span.weights[i] * size);
+  }
+  if (span.weights.empty()) return metric::bound_at(part, sizes, reference::double_arithmetic);
+  weights.sum = target.weight_sums[k];
+  return metric::bound_at(part, sizes, weights, reference::double_arithmetic);
 }
 
 void add_rows(const BsplineKernel& method, const BsplineTarget& target, CurveTable& table) {
   const auto d = static_cast<std::size_t>(target.span.dimension);
-  const int n = target.span.degree;
-  std::vector<double> values(static_cast<std::size_t>(points_solved(method, n)) * d);
+  std::vector<double> values(static_cast<std::size_t>(numbers_solved(method, target.span)));
   method.solve(target.span, target.t, values.data());
-  for (std::size_t k = 0; k < values.size() / d; ++k)
-    table.add_point({std::string(method.info->id), number::decimal(target.t), k == 0 ? "" : std::to_string(k - 1)},
-                    std::span(values).subspan(k * d, d), target.truth[k], target.p_tilde[k],
+  const auto points = static_cast<std::size_t>(points_solved(method, target.span.degree));
+  const auto first_fields = [&](std::size_t k) {
+    return std::vector{std::string(method.info->id), number::decimal(target.t), k == 0 ? "" : std::to_string(k - 1)};
+  };
+  for (std::size_t k = 0; k < points; ++k)
+    table.add_point(first_fields(k), std::span(values).subspan(k * d, d), target.truth[k], target.p_tilde[k],
                     [&](int axis) -> std::optional<double> {
                       if (method.bound == nullptr) return std::nullopt;
-                      const double p_tilde =
-                          reference::round_to(reference::binary64, target.p_tilde[k].coordinate(axis));
-                      const metric::BsplineSizes sizes{n, 1, p_tilde, largest_of(target.span, axis)};
-                      return metric::bound_at(k == 0 ? method.bound->point : *method.bound->control, sizes,
-                                              reference::double_arithmetic);
+                      return bound_of(method, target, k, axis);
                     });
+  for (std::size_t k = points * d; k < values.size(); ++k) {
+    const std::size_t index = k - points * d;
+    auto fields = first_fields(index + 1);
+    fields.emplace_back("w");
+    const auto truth = target.weights[index].coordinate(0);
+    std::optional<double> bound;
+    if (method.bound != nullptr)
+      bound = metric::bound_at(
+          *method.bound->control,
+          {target.span.degree, 1, target.weight_sums[index + 1], *std::ranges::max_element(target.span.weights)},
+          reference::double_arithmetic);
+    const auto judged = judged_coordinate(values[k], truth, truth, bound);
+    fields.insert(fields.end(), judged.begin(), judged.end());
+    table.add_row(std::move(fields));
+  }
 }
 
 /// The spans that are not empty in Bernstein form, by the first method that makes it. Their ids are their numbers.
@@ -129,10 +172,13 @@ curves::CurveSet spans_of(const BsplineCurve& curve, std::span<const BsplineKern
     if (curve.knots[k] == curve.knots[k + 1]) continue;
     const auto span = span_view_at(curve, k);
     const auto d = static_cast<std::size_t>(span.dimension);
-    std::vector<double> values(static_cast<std::size_t>(points_solved(**maker, span.degree)) * d);
+    std::vector<double> values(static_cast<std::size_t>(numbers_solved(**maker, span)));
     (*maker)->solve(span, curve.knots[k], values.data());
     const auto id = std::to_string(set.size());
-    const CurveView<double> view{Form::bernstein, span.dimension, span.degree, std::span(values).subspan(d)};
+    const auto numbers = std::span(values).subspan(d);
+    const std::size_t coordinates = (static_cast<std::size_t>(span.degree) + 1) * d;
+    const CurveView<double> view{span.weights.empty() ? Form::bernstein : Form::rational, span.dimension, span.degree,
+                                 numbers.first(coordinates), numbers.subspan(coordinates)};
     set.add(id, view, !set.continues_path(id, view));
   }
   return set;
@@ -161,6 +207,8 @@ void add_bspline(Command command) {
   command.option("--knots", options->knots, "all knots, separated by commas; degree + 1 more than points")
       .required()
       .takes("U0,U1,...");
+  command.option("--weights", options->weights, "weights of a rational curve (NURBS), above 0, one for each point")
+      .takes("W0,W1,...");
   command.option("--t", options->t, "parameter; may be repeated").takes("T");
   command.flag("--control-points", options->control_points,
                "print the spans in Bernstein form as a set of curves, by the first method that makes it");

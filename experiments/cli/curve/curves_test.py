@@ -235,6 +235,25 @@ class Curves(Case):
                 ("0,1,2,3,4,5,inf", "3", "--knots inf")]:
             with self.subTest(knots=knots):
                 self.refused(USAGE, [*curve, knots, "--t", t], *needles)
+        for weights, *needles in [("1,2", "2 for the 4 points in d.csv", "one for each"), ("1,2,0,1", "0 is not above 0"), ("1,x,1,1", "--weights x")]:
+            with self.subTest(weights=weights):
+                self.refused(USAGE, [*curve, "0,1,2,3,4,5,6", "--t", "3", "--weights", weights], *needles)
+
+    def test_nurbs_circle(self):
+        """[Piegl and Tiller 1997], section 7.5: a circle of four quadratic spans, of nine points. The weights 1, 1, 2 of one span are exact."""
+        self.write("c.csv", "x,y\n1,0\n1,1\n0,1\n-1,1\n-1,0\n-1,-1\n0,-1\n1,-1\n1,0\n")
+        circle = ["curve", "bspline", "--points", "c.csv", "--knots", "0,0,0,1,1,2,2,3,3,4,4,4", "--weights", ",".join(["1", repr(math.sqrt(0.5))] * 4 + ["1"])]
+        for t in ("0.3", "1", "3.75"):
+            found = rows(self.fine(*circle, "--t", t))
+            for method in {row["method"] for row in found}:
+                x, y = (float(row["value"]) for row in found if row["method"] == method and row["index"] == "")
+                self.assertAlmostEqual(math.hypot(x, y), 1, delta=1e-15)
+        self.assertEqual({row["axis"] for row in found}, {"x", "y", "w"})
+        spans = self.fine(*circle, "--control-points")
+        self.write("spans.csv", spans)
+        self.assertEqual(len(rows(spans)), 12)
+        box = [row for row in rows(self.fine("curve", "box", "--curve", "spans.csv#1", "--method", "exact_box"))]
+        self.assertTrue(box)
 
     def test_box_of_a_curve(self):
         """A CSS timing function with overshoot: extrema by the quadratic formula lose points of it."""

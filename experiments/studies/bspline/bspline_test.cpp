@@ -18,8 +18,8 @@ bool makes_bernstein(const bundle::CsvDocument& csv, std::size_t row) {
   return csv.at(row, "method").ends_with("_span");
 }
 
-TEST(BsplineStudy, BoundsHoldOverEveryKindOfKnots) {
-  const auto csv = rows_of(small_bspline_study(), "bspline.csv");
+void expect_bounds_hold(const suite::Study& study) {
+  const auto csv = rows_of(study, "bspline.csv");
   ASSERT_EQ(csv.row_count(), 3 * sample::knot_kinds().size() * 4);
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     const auto where = csv.at(row, "method") + " " + csv.at(row, "knots") + " " + csv.at(row, "degree");
@@ -32,6 +32,17 @@ TEST(BsplineStudy, BoundsHoldOverEveryKindOfKnots) {
     EXPECT_LE(run::number_at(csv, row, "max_error_u"), run::number_at(csv, row, "bound_u")) << where;
     if (!makes_bernstein(csv, row)) continue;
     EXPECT_LE(run::number_at(csv, row, "max_control_error_u"), run::number_at(csv, row, "control_bound_u")) << where;
+  }
+}
+
+TEST(BsplineStudy, BoundsHoldOverEveryKindOfKnots) { expect_bounds_hold(small_bspline_study()); }
+
+TEST(BsplineStudy, BoundsHoldWithWeights) {
+  for (const std::string generator : {"weights_mild", "weights_wild"}) {
+    auto study = small_bspline_study();
+    study.form = Form::rational;
+    study.generator = {generator};
+    expect_bounds_hold(study);
   }
 }
 

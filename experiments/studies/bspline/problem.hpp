@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A random B-spline curve in one knot span: the point at t and the Bernstein form of the span against the exact ones.
+// A random B-spline curve in one knot span, with weights or without: the point at t and the Bernstein form of the span,
+// its weights too, against the exact ones.
 // An answer is right if all of it keeps its bounds or, where none is proved, half of its digits are right.
 #pragma once
 
@@ -11,6 +12,7 @@
 #include "core/bspline/kernel.hpp"
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
+#include "experiments/metric/derivative_scale.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/sample/knot_kind.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
@@ -19,10 +21,10 @@
 namespace bezierbench::studies {
 
 struct BsplineErrors {
-  metric::Tally error;                      ///< of points
-  metric::Tally error_u;                    ///< over u p~
-  metric::Largest<double> bound_u;          ///< bound / (u p~) of a point
-  metric::Tally control_error_u;            ///< of all control points of the Bernstein form, over u p~ of each
+  metric::Tally error;              ///< of points
+  metric::Tally error_u;            ///< over u p~
+  metric::Largest<double> bound_u;  ///< bound / (u p~) of a point
+  metric::Tally control_error_u;    ///< of all control points and weights of the Bernstein form, over u p~ of each
   metric::Largest<double> control_bound_u;  ///< bound / (u p~) of one of them
   std::uint64_t bounded = 0;                ///< trials for which bounds are proved
   metric::TrialCount violations;            ///< trials with a point or control point beyond its bound
@@ -52,11 +54,13 @@ class BsplineProblem {
     std::vector<double> knots;
     BsplineSpanView span;
     double t = 0;
-    /// Of the point, then of the control points of the Bernstein form.
+    /// Of the point, then of the control points of the Bernstein form and of its weights, which have one coordinate.
     std::vector<reference::ExactPoint> truth;
     std::vector<reference::Distance> distances;  ///< from the points of `truth`
     std::vector<double> p_tilde;
     double largest = 0;  ///< max |d_i|
+    std::vector<metric::BsplineWeightSizes>
+        weight_sizes{};  ///< of the point and the control points of a rational curve
 
     Drawn() = default;
     Drawn(const Drawn&) = delete;
@@ -94,7 +98,7 @@ class BsplineProblem {
 
   void draw(std::uint64_t number, Drawn& drawn) const;
   static void ask(const Kernel& method, const Drawn& drawn, double /*tolerance*/, Answer& answer) {
-    answer.resize(static_cast<std::size_t>(points_solved(method, drawn.span.degree) * drawn.span.dimension));
+    answer.resize(static_cast<std::size_t>(numbers_solved(method, drawn.span)));
     method.solve(drawn.span, drawn.t, answer.data());
   }
   static std::array<std::span<double>, 1> numbers(Answer& answer) { return {answer}; }
