@@ -3,6 +3,7 @@
 // knot span by those that make it, against the exact ones.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "core/bspline/kernel.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
@@ -17,6 +18,7 @@ struct BsplineOptions {
   std::string points;
   std::string knots;
   std::optional<std::string> weights;
+  std::optional<int> closed;
   std::vector<std::string> t;
   std::vector<std::string> methods;
   bool control_points = false;
@@ -32,17 +34,69 @@ struct BsplineCurve {
   [[nodiscard]] double end() const { return knots[points.count()]; }
 };
 
-BsplineCurve curve_of(const BsplineOptions& options) {
-  BsplineCurve curve{read_points(options.points), finite_numbers("--knots", options.knots), {}};
+/// The numbers of an option: separated by commas or, in a file that it names, by commas, blanks or line ends.
+std::vector<double> numbers_of(const std::string& option, const std::string& text) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(text, ignored)) return finite_numbers(option, text);
+  constexpr std::string_view separators = ", \t\r\n";
+  const auto contents = contents_of(text);
+  std::vector<double> numbers;
+  for (auto begin = contents.find_first_not_of(separators); begin != std::string::npos;) {
+    const auto end = std::min(contents.find_first_of(separators, begin), contents.size());
+    numbers.push_back(finite_option(fmt::format("{} {}:", option, text), contents.substr(begin, end - begin)));
+    begin = contents.find_first_not_of(separators, end);
+  }
+  return numbers;
+}
+
+/// Says on standard error which knots stand more than degree + 1 times.
+void say_useless_knots(const BsplineCurve& curve) {
+  const auto most = static_cast<std::ptrdiff_t>(curve.degree()) + 1;
+  for (auto first = curve.knots.begin(); first != curve.knots.end();) {
+    const auto next = std::upper_bound(first, curve.knots.end(), *first);
+    if (next - first > most)
+      fmt::print(stderr,
+                 "bezierbench: --knots: {} stands {} times; above degree + 1 = {} a control point has no influence\n",
+                 number::decimal(*first), next - first, most);
+    first = next;
+  }
+}
+
+/// Makes a closed curve of this degree of points and the knots of one period: its first points and spans follow again.
+void close(BsplineCurve& curve, int degree, const std::string& file) {
   const std::size_t points = curve.points.count();
+  const auto n = static_cast<std::size_t>(degree);
+  if (curve.knots.size() != points + 1 || n > points)
+    throw Failure(Exit::usage,
+                  "--closed {}: {} knots for the {} points in {}; write {} knots, those of one period, and a degree of "
+                  "at most {}",
+                  degree, curve.knots.size(), points, file, points + 1, points);
+  const auto one = curve.knots;
+  const double period = one.back() - one.front();
+  for (std::size_t k = 1; k <= n; ++k) {
+    curve.knots.insert(curve.knots.begin(), one[points - k] - period);
+    curve.knots.push_back(one[k] + period);
+  }
+  const auto repeat = [n](std::vector<double>& numbers, std::size_t each) {
+    for (std::size_t k = 0; k < n * each; ++k) numbers.push_back(double(numbers[k]));
+  };
+  repeat(curve.points.coordinates, static_cast<std::size_t>(curve.points.dimension));
+  if (!curve.weights.empty()) repeat(curve.weights, 1);
+}
+
+BsplineCurve curve_of(const BsplineOptions& options) {
+  BsplineCurve curve{read_points(options.points), numbers_of("--knots", options.knots), {}};
+  std::size_t points = curve.points.count();
   if (options.weights) {
-    curve.weights = finite_numbers("--weights", *options.weights);
+    curve.weights = numbers_of("--weights", *options.weights);
     if (curve.weights.size() != points)
       throw Failure(Exit::usage, "--weights: {} for the {} points in {}; write one for each", curve.weights.size(),
                     points, options.points);
     const auto least = *std::ranges::min_element(curve.weights);
     if (!(least > 0)) throw Failure(Exit::usage, "--weights: {} is not above 0", number::decimal(least));
   }
+  if (options.closed) close(curve, *options.closed, options.points);
+  points = curve.points.count();
   if (curve.knots.size() < points + 2 || curve.degree() >= points)
     throw Failure(Exit::usage,
                   "--knots: {} knots for the {} points in {}; a curve of degree n has n + 1 knots more than points, so "
@@ -55,6 +109,7 @@ BsplineCurve curve_of(const BsplineOptions& options) {
   if (!(curve.begin() < curve.end()))
     throw Failure(Exit::usage, "--knots: the curve begins and ends at {}; there is no span that is not empty",
                   number::decimal(curve.begin()));
+  say_useless_knots(curve);
   return curve;
 }
 
@@ -204,11 +259,17 @@ void run_bspline(const BsplineOptions& options) {
 void add_bspline(Command command) {
   auto options = std::make_shared<BsplineOptions>();
   command.option("--points", options->points, "control points (CSV)").required().takes(file_value);
-  command.option("--knots", options->knots, "all knots, separated by commas; degree + 1 more than points")
+  command
+      .option("--knots", options->knots,
+              "all knots, separated by commas, or a file of them; degree + 1 more than points")
       .required()
-      .takes("U0,U1,...");
+      .takes("U0,U1,...|FILE");
   command.option("--weights", options->weights, "weights of a rational curve (NURBS), above 0, one for each point")
-      .takes("W0,W1,...");
+      .takes("W0,W1,...|FILE");
+  command
+      .option("--closed", options->closed,
+              "degree of a closed curve, whose knots are those of one period, one more than points")
+      .within(1);
   command.option("--t", options->t, "parameter; may be repeated").takes("T");
   command.flag("--control-points", options->control_points,
                "print the spans in Bernstein form as a set of curves, by the first method that makes it");

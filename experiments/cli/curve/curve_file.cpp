@@ -19,22 +19,6 @@
 namespace bezierbench::cli {
 namespace {
 
-/// The bytes of a file, or of standard input, of which no more are read than a reader takes.
-std::string contents_of(const std::string& file) {
-  if (file != "-") {
-    std::error_code error;
-    if (const auto size = std::filesystem::file_size(file, error); !error && size > curves::most_bytes)
-      throw Failure(Exit::input_output, "{}: {} bytes; at most {} are read, so split the file", file, size,
-                    curves::most_bytes);
-    return bundle::read_file(file);
-  }
-  std::string text;
-  std::array<char, 65536> buffer;
-  while (text.size() <= curves::most_bytes && (std::cin.read(buffer.data(), buffer.size()) || std::cin.gcount() > 0))
-    text.append(buffer.data(), static_cast<std::size_t>(std::cin.gcount()));
-  return text;
-}
-
 /// What `reading()` gives, whose Unreadable becomes a Failure.
 template <class Reading>
 auto read_or_fail(Reading reading) {
@@ -67,6 +51,21 @@ std::vector<CurveFile> not_empty(std::vector<CurveFile> curves, const std::strin
 }
 
 }  // namespace
+
+std::string contents_of(const std::string& file) {
+  if (file != "-") {
+    std::error_code error;
+    if (const auto size = std::filesystem::file_size(file, error); !error && size > curves::most_bytes)
+      throw Failure(Exit::input_output, "{}: {} bytes; at most {} are read, so split the file", file, size,
+                    curves::most_bytes);
+    return bundle::read_file(file);
+  }
+  std::string text;
+  std::array<char, 65536> buffer;
+  while (text.size() <= curves::most_bytes && (std::cin.read(buffer.data(), buffer.size()) || std::cin.gcount() > 0))
+    text.append(buffer.data(), static_cast<std::size_t>(std::cin.gcount()));
+  return text;
+}
 
 std::string axis_name(int axis) { return std::string(curves::axis_names.at(static_cast<std::size_t>(axis))); }
 

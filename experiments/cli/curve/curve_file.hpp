@@ -32,6 +32,10 @@ struct CurveFile {
   [[nodiscard]] CurveFile along(int axis) const;
 };
 
+/// The bytes of a file, or of standard input where it is `-`, of which no more are read than a reader takes. Throws
+/// Failure(input_output) for a file that cannot be read.
+std::string contents_of(const std::string& file);
+
 /// Reads all curves of a file; `-` is standard input. Polynomial coefficients are in `form` where the file states none.
 /// Throws Failure(input_output) for a file that cannot be read, and Failure(usage) where `form` is power and the
 /// weights of a file belong to control points.

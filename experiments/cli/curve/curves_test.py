@@ -235,9 +235,26 @@ class Curves(Case):
                 ("0,1,2,3,4,5,inf", "3", "--knots inf")]:
             with self.subTest(knots=knots):
                 self.refused(USAGE, [*curve, knots, "--t", t], *needles)
+        self.write("knots.txt", "0 1\n2, 3,4\t5\r\n6\n")
+        self.assertEqual(rows(self.fine(*curve, "knots.txt", "--t", "2.5", "--t", "4")), found)
+        self.write("knots.txt", "0 1\n2 x 4 5 6\n")
+        self.refused(USAGE, [*curve, "knots.txt", "--t", "3"], "--knots knots.txt", "x")
+        result = self.run_program(*curve, "0,0,0,0,1,1,1", "--t", "0.5")
+        self.assertIn("0 stands 4 times", result.stderr)
+        self.assertIn("above degree + 1 = 3 a control point has no influence", result.stderr)
         for weights, *needles in [("1,2", "2 for the 4 points in d.csv", "one for each"), ("1,2,0,1", "0 is not above 0"), ("1,x,1,1", "--weights x")]:
             with self.subTest(weights=weights):
                 self.refused(USAGE, [*curve, "0,1,2,3,4,5,6", "--t", "3", "--weights", weights], *needles)
+
+    def test_closed_bspline(self):
+        """Over uniform knots a closed quadratic begins and ends in the middle between two points; a square's has four alike spans."""
+        self.write("s.csv", "x,y\n0,0\n2,0\n2,2\n0,2\n")
+        closed = ["curve", "bspline", "--points", "s.csv", "--closed", "2", "--knots"]
+        found = rows(self.fine(*closed, "0,1,2,3,4", "--method", "de_boor", *(f"--t={t}" for t in range(5))))
+        self.assertEqual([float(row["value"]) for row in found], [1, 0, 2, 1, 1, 2, 0, 1, 1, 0])
+        spans = rows(self.fine(*closed, "0,1,2,3,4", "--control-points"))
+        self.assertEqual([(float(row["x"]), float(row["y"])) for row in spans][:4], [(1, 0), (2, 0), (2, 1), (2, 1)])
+        self.refused(USAGE, [*closed, "0,1,2,3", "--t", "1"], "4 knots for the 4 points in s.csv", "write 5 knots")
 
     def test_nurbs_circle(self):
         """[Piegl and Tiller 1997], section 7.5: a circle of four quadratic spans, of nine points. The weights 1, 1, 2 of one span are exact."""
