@@ -42,8 +42,7 @@ void write_solved(const BsplineSpan<double, Dimension>& span, double t, const Po
       for (int axis = 0; axis < Dimension; ++axis) point[axis] = bernstein(axis, i);
       output.write(point_from(point));
     }
-    constexpr bool homogeneous =
-        !std::same_as<decltype(point_from(Point<double, Dimension>())), Point<double, Dimension>>;
+    constexpr bool homogeneous = !std::same_as<PointFrom, std::identity>;
     for (int i = 0; homogeneous && i <= span.degree(); ++i) *output.next++ = bernstein(Dimension - 1, i);
   } else {
     output.write(point_from(M::evaluate(span, t)));
@@ -53,30 +52,39 @@ void write_solved(const BsplineSpan<double, Dimension>& span, double t, const Po
 struct MakeKernel {
   template <class M, int Dimension>
   static constexpr BsplineKernel of() {
-    static_assert(BsplineEvaluator<M> || BsplineConversion<M>);
-    return {&M::info, bound_of<M>(), Dimension, BsplineConversion<M>, solve<M, Dimension>};
+    if constexpr (M::info.form == Form::rational)
+      return kernel_of<typename M::Polynomial, Dimension>(M::info, solve_rational<typename M::Polynomial, Dimension>);
+    else
+      return kernel_of<M, Dimension>(M::info, solve<M, Dimension>);
   }
 
  private:
   template <class M, int Dimension>
+  static constexpr BsplineKernel kernel_of(const MethodInfo& info, decltype(BsplineKernel::solve) solve) {
+    static_assert(BsplineEvaluator<M> || BsplineConversion<M>);
+    return {&info, bound_of<M>(), Dimension, BsplineConversion<M>, solve};
+  }
+  template <class M, int Dimension>
   static void solve(const BsplineSpanView& view, double t, double* coordinates) {
     assert(are_span_knots(view.knots));
+    BsplineSpan<double, Dimension> span(view.knots);
+    instantiate::fill(CurveView<double>{Form::bernstein, Dimension, view.degree, view.control_points},
+                      span.control_points);
     Output output{coordinates};
-    if (view.weights.empty()) {
-      BsplineSpan<double, Dimension> span(view.knots);
-      instantiate::fill(CurveView<double>{Form::bernstein, Dimension, view.degree, view.control_points},
-                        span.control_points);
-      write_solved<M>(span, t, std::identity(), output);
-    } else {
-      BsplineSpan<double, Dimension + 1> span(view.knots);
-      for (int i = 0, k = 0; i <= view.degree; ++i) {
-        const double weight = view.weights[static_cast<std::size_t>(i)];
-        for (int axis = 0; axis < Dimension; ++axis)
-          span.control_points(axis, i) = weight * view.control_points[static_cast<std::size_t>(k++)];
-        span.control_points(Dimension, i) = weight;
-      }
-      write_solved<M>(span, t, over_last<double, Dimension + 1>, output);
+    write_solved<M>(span, t, std::identity(), output);
+  }
+  template <class M, int Dimension>
+  static void solve_rational(const BsplineSpanView& view, double t, double* coordinates) {
+    assert(are_span_knots(view.knots));
+    BsplineSpan<double, Dimension + 1> span(view.knots);
+    for (int i = 0, k = 0; i <= view.degree; ++i) {
+      const double weight = view.weights[static_cast<std::size_t>(i)];
+      for (int axis = 0; axis < Dimension; ++axis)
+        span.control_points(axis, i) = weight * view.control_points[static_cast<std::size_t>(k++)];
+      span.control_points(Dimension, i) = weight;
     }
+    Output output{coordinates};
+    write_solved<M>(span, t, over_last<double, Dimension + 1>, output);
   }
 };
 

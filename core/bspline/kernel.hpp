@@ -22,13 +22,12 @@ struct BsplineSpanView {
 /// One method, for curves of one dimension.
 struct BsplineKernel {
   const MethodInfo* info;
-  const BsplineBound* bound;  ///< nullptr where nothing is proved
+  const BsplineBound* bound;  ///< of polynomial curves; nullptr where nothing is proved
   int dimension;
   bool makes_bernstein;  ///< whether it makes the Bernstein form of the span
   /// Writes the coordinates of the point at t in the span and, where it makes the Bernstein form, behind them those of
   /// its degree + 1 control points, point by point, and then the weights of a rational curve. The knots are those of
-  /// `are_span_knots`. A rational curve is evaluated in homogeneous coordinates (w_i d_i, w_i), which the last one
-  /// divides ([Piegl and Tiller 1997], section 4.2).
+  /// `are_span_knots`.
   void (*solve)(const BsplineSpanView& span, double t, double* coordinates);
 };
 

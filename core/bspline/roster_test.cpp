@@ -8,6 +8,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/multiprecision/eigen.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -27,6 +28,13 @@ std::vector<double> solve(const BsplineKernel& kernel, const BsplineSpanView& sp
   return all;
 }
 
+std::vector<BsplineKernel> kernels(int dimension, Form form = Form::bernstein) {
+  std::vector<BsplineKernel> of_form;
+  std::ranges::copy_if(bspline_kernels(dimension), std::back_inserter(of_form),
+                       [form](const BsplineKernel& kernel) { return kernel.info->form == form; });
+  return of_form;
+}
+
 TEST(Bspline, SaysWhichKnotsBoundASpan) {
   const auto are = [](std::vector<double> knots) { return are_span_knots<double>(knots); };
   EXPECT_TRUE(are({0, 1}) && are({0, 0, 1, 1}) && are({-1, 0, 0.5, 2}));
@@ -41,7 +49,7 @@ TEST(Bspline, SaysWhichKnotsBoundASpan) {
 TEST(Bspline, DifferencesOfKnotsMayLeaveTheRange) {
   const std::vector<double> knots{-1e308, -1e308, 0, 1e308, 1e308, 1e308};  // of the span from 0 to 1e308
   const std::vector<double> control_points{1, 2, 3, 1, 4, 4, 6, 0.5};
-  for (const auto& kernel : bspline_kernels(2)) {
+  for (const auto& kernel : kernels(2)) {
     if (kernel.bound == nullptr) continue;
     const auto point = solve(kernel, {2, 3, knots, control_points}, 5e307);
     EXPECT_NEAR(point[0], 3.90625, 4e-15) << kernel.info->id;
@@ -55,7 +63,7 @@ TEST(Bspline, TheFirstSpanOfAClampedCurveBeginsInItsFirstPoint) {
     std::vector<double> knots(static_cast<std::size_t>(n), 0.1);
     for (int k = 0; k < n; ++k) knots.push_back(knots.back() + inputs.unit() + 0x1p-20);
     const auto control_points = inputs.coefficients(n, 2);
-    for (const auto& kernel : bspline_kernels(2)) {
+    for (const auto& kernel : kernels(2)) {
       const auto all = solve(kernel, {2, n, knots, control_points}, 0.1);
       EXPECT_EQ(all[0], control_points[0]) << kernel.info->id << " degree " << n;
       EXPECT_EQ(all[1], control_points[1]) << kernel.info->id << " degree " << n;
@@ -68,7 +76,7 @@ TEST(Bspline, WeightsMakeACircle) {
   const std::vector<double> knots{0, 0, 1, 1};
   const std::vector<double> control_points{1, 0, 1, 1, 0, 1};
   const std::vector<double> weights{1, 1, 2};
-  for (const auto& kernel : bspline_kernels(2)) {
+  for (const auto& kernel : kernels(2, Form::rational)) {
     const auto all = solve(kernel, {2, 2, knots, control_points, weights}, 0.5);
     ASSERT_EQ(all.size(), kernel.makes_bernstein ? 11U : 2U) << kernel.info->id;
     EXPECT_DOUBLE_EQ(all[0], 0.6) << kernel.info->id;  // 3/5 and 4/5: the half angle has the tangent t
@@ -125,7 +133,7 @@ TEST(Bspline, PointsAndControlPointsKeepTheirBounds) {
         std::clamp(knots[size - 1] + inputs.unit() * (knots[size] - knots[size - 1]), knots[size - 1], knots[size]);
     const double t = trial % 5 == 0 ? knots[size - 1] : trial % 5 == 1 ? knots[size] : inside;
     const BsplineSpanView span{1, n, knots, control_points};
-    for (const auto& kernel : bspline_kernels(1)) {
+    for (const auto& kernel : kernels(1)) {
       const auto all = solve(kernel, span, t);
       ASSERT_TRUE(std::ranges::all_of(all, [](double x) { return std::isfinite(x); })) << kernel.info->id;
       if (kernel.bound == nullptr) continue;
@@ -220,13 +228,14 @@ void expect_all(TypeList<Ms...> /*methods*/, const Numbers& knots) {
 Rational third(int k) { return {k, 3}; }
 
 TEST(BsplineAlgebra, EveryMethodReturnsThePolynomialOverAnyKnots) {
-  expect_all(BsplineMethods{}, {2, 5});                                                              // a line
-  expect_all(BsplineMethods{}, {0, 1, 2, 3});                                                        // uniform
-  expect_all(BsplineMethods{}, {0, 0, 0, 1, 2, 5});                                                  // clamped
-  expect_all(BsplineMethods{}, {3, 3, 3, 4, 4, 4});                                                  // Bernstein form
-  expect_all(BsplineMethods{}, {-7, third(-5), third(-5), 1, third(4), 6, 6, 80});                   // a double knot
-  expect_all(BsplineMethods{}, {-9, -4, -4, -4, third(1), third(2), third(2), third(2), 5, 7});      // triple knots
-  expect_all(BsplineMethods{}, {-1, -1, -1, -1, -1, 0, Rational(1, 1 << 20), 1, 1, 1, 1, 1000000});  // uneven
+  expect_all(PolynomialBsplineMethods{}, {2, 5});                                             // a line
+  expect_all(PolynomialBsplineMethods{}, {0, 1, 2, 3});                                       // uniform
+  expect_all(PolynomialBsplineMethods{}, {0, 0, 0, 1, 2, 5});                                 // clamped
+  expect_all(PolynomialBsplineMethods{}, {3, 3, 3, 4, 4, 4});                                 // Bernstein form
+  expect_all(PolynomialBsplineMethods{}, {-7, third(-5), third(-5), 1, third(4), 6, 6, 80});  // a double knot
+  expect_all(PolynomialBsplineMethods{},
+             {-9, -4, -4, -4, third(1), third(2), third(2), third(2), 5, 7});  // triple knots
+  expect_all(PolynomialBsplineMethods{}, {-1, -1, -1, -1, -1, 0, Rational(1, 1 << 20), 1, 1, 1, 1, 1000000});  // uneven
 }
 
 }  // namespace

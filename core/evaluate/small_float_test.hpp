@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -63,8 +65,13 @@ class SmallFloat {
 
  private:
   static double spacing(double value) {
-    const int exponent = value == 0 ? LowestExponent : std::max(LowestExponent, std::ilogb(value));
-    return std::ldexp(1.0, exponent - Precision + 1);
+    constexpr double least = power_of_two(LowestExponent);
+    constexpr std::uint64_t exponent_bits = 0x7ff0000000000000;
+    const double power = std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) & exponent_bits);
+    return std::max(least, power) * power_of_two(1 - Precision);
+  }
+  static constexpr double power_of_two(int exponent) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
   }
   static SmallFloat sum(double a, double b) {
     const auto exact = two_sum(a, b);
@@ -76,14 +83,12 @@ class SmallFloat {
   static double rounded(double value, double error) {
     if (!std::isfinite(value) || value == 0) return value;
     const double unit = spacing(value);
-    const double scaled = value / unit;
-    double whole = std::nearbyint(scaled);
-    if (std::abs(scaled - std::trunc(scaled)) == 0.5 && error != 0 && std::isfinite(error))  // a tie without the error
-      whole = error > 0 ? std::ceil(scaled) : std::floor(scaled);
-    const double result = whole * unit;
-    return std::abs(result) >= std::ldexp(1.0, HighestExponent + 1)
-               ? std::copysign(std::numeric_limits<double>::infinity(), result)
-               : result;
+    const double far = 0x1.8p+52 * unit;  // where the last place is one unit
+    double result = (value + far) - far;
+    if (std::abs(value - result) == unit / 2 && error != 0 && std::isfinite(error))  // a tie without the error
+      result = value + std::copysign(unit / 2, error);
+    if (std::abs(result) >= power_of_two(HighestExponent + 1)) result = std::numeric_limits<double>::infinity();
+    return std::copysign(result, value);
   }
 
   double value_ = 0;

@@ -18,7 +18,7 @@ struct BsplineOptions {
   std::string points;
   std::string knots;
   std::optional<std::string> weights;
-  std::optional<int> closed;
+  int closed = 0;  ///< its degree; 0 where it is not closed
   std::vector<std::string> t;
   std::vector<std::string> methods;
   bool control_points = false;
@@ -95,7 +95,7 @@ BsplineCurve curve_of(const BsplineOptions& options) {
     const auto least = *std::ranges::min_element(curve.weights);
     if (!(least > 0)) throw Failure(Exit::usage, "--weights: {} is not above 0", number::decimal(least));
   }
-  if (options.closed) close(curve, *options.closed, options.points);
+  if (options.closed > 0) close(curve, options.closed, options.points);
   points = curve.points.count();
   if (curve.knots.size() < points + 2 || curve.degree() >= points)
     throw Failure(Exit::usage,
@@ -241,7 +241,8 @@ curves::CurveSet spans_of(const BsplineCurve& curve, std::span<const BsplineKern
 
 void run_bspline(const BsplineOptions& options) {
   const auto curve = curve_of(options);
-  const CurveFile of_degree{{}, Form::bernstein, 1, std::vector<double>(curve.degree() + 1), {}};
+  const auto form = curve.weights.empty() ? Form::bernstein : Form::rational;
+  const CurveFile of_degree{{}, form, 1, std::vector<double>(curve.degree() + 1), {}};
   const auto methods = chosen(bspline_kernels(curve.points.dimension), options.methods, of_degree, Problem::bspline);
   if (options.control_points) {
     fmt::print("{}", curves::to_csv(spans_of(curve, methods), number::decimal));
