@@ -93,7 +93,8 @@ BsplineCurve curve_of(const BsplineOptions& options) {
       throw Failure(Exit::usage, "--weights: {} for the {} points in {}; write one for each", curve.weights.size(),
                     points, options.points);
     const auto least = *std::ranges::min_element(curve.weights);
-    if (!(least > 0)) throw Failure(Exit::usage, "--weights: {} is not above 0", number::decimal(least));
+    if (!(least > 0))
+      throw Failure(Exit::usage, "--weights: {} stands there, but weights must be above 0", number::decimal(least));
   }
   if (options.closed > 0) close(curve, options.closed, options.points);
   points = curve.points.count();

@@ -241,7 +241,7 @@ class Curves(Case):
         self.refused(USAGE, [*curve, "knots.txt", "--t", "3"], "--knots knots.txt", "x")
         said = self.run_program(*curve, "0,0,0,0,1,1,1", "--t", "0.5").stderr.decode()
         self.assertIn("0 stands 4 times; above degree + 1 = 3 a control point has no influence", said)
-        for weights, *needles in [("1,2", "2 for the 4 points in d.csv", "one for each"), ("1,2,0,1", "0 is not above 0"), ("1,x,1,1", "--weights x")]:
+        for weights, *needles in [("1,2", "2 for the 4 points in d.csv", "one for each"), ("1,2,0,1", "0 stands there, but weights must be above 0"), ("1,x,1,1", "--weights x")]:
             with self.subTest(weights=weights):
                 self.refused(USAGE, [*curve, "0,1,2,3,4,5,6", "--t", "3", "--weights", weights], *needles)
 
