@@ -6,14 +6,25 @@
 #include "bindings/c/chosen.hpp"
 #include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
+#include "reference/companion/pole.hpp"
 #include "reference/length/true_length.hpp"
 
 using namespace bezierbench;
 
 namespace {
 
-/// Throws Refused unless these are parameters of a part of the curve; NaN is not.
-void require_part(double from, double to) { c::require(0 <= from && from <= to && to <= 1, BB_ERROR_PARAMETER); }
+/// Throws Refused unless these are parameters of a part of the curve, NaN is not, and the part has no pole.
+void require_part(const CurveView<double>& curve, double from, double to) {
+  c::require(0 <= from && from <= to && to <= 1, BB_ERROR_PARAMETER);
+  c::require(!reference::pole(curve, from, to), BB_ERROR_NO_POINT);
+}
+
+/// The curve in one of the forms that have lengths.
+CurveView<double> curve_with_length(const bb_curve* curve) {
+  const auto view = c::curve_of(curve);
+  c::require(view.form != Form::power, BB_ERROR_FORM);
+  return view;
+}
 
 void require_tolerance(double tolerance) { c::require(std::isfinite(tolerance) && tolerance > 0, BB_ERROR_TOLERANCE); }
 
@@ -24,7 +35,7 @@ int bb_arc_length(const char* method, const bb_curve* curve, double from, double
   return c::guarded([&] {
     const auto view = c::curve_of(curve);
     const auto& kernel = c::chosen(arc_length_kernels(view.dimension), method, view);
-    require_part(from, to);
+    require_part(view, from, to);
     require_tolerance(tolerance);
     c::require_pointers(length);
     const auto found = kernel.measure(view, from, to, tolerance);
@@ -34,8 +45,8 @@ int bb_arc_length(const char* method, const bb_curve* curve, double from, double
 
 int bb_exact_arc_length(const bb_curve* curve, double from, double to, double* length) {
   return c::guarded([&] {
-    const auto view = c::bernstein_curve_of(curve);
-    require_part(from, to);
+    const auto view = curve_with_length(curve);
+    require_part(view, from, to);
     c::require_pointers(length);
     *length = reference::TrueLength(view, from, to).value().convert_to<double>();
   });
@@ -43,8 +54,8 @@ int bb_exact_arc_length(const bb_curve* curve, double from, double to, double* l
 
 int bb_arc_length_error(const bb_curve* curve, double from, double to, double length, double* error) {
   return c::guarded([&] {
-    const auto view = c::bernstein_curve_of(curve);
-    require_part(from, to);
+    const auto view = curve_with_length(curve);
+    require_part(view, from, to);
     c::require_pointers(error);
     *error = reference::TrueLength(view, from, to).error_of(length);
   });

@@ -145,6 +145,28 @@ TEST(C, LengthsOfALineAreItsPart) {
   }
 }
 
+/// Half of a quarter circle, to t = tan(pi / 8), and one with a pole at 1/2.
+TEST(C, LengthsOfARationalCurve) {
+  constexpr std::array<double, 6> points{1, 0, 1, 1, 0, 1};
+  constexpr std::array<double, 3> weights{1, 1, 2};
+  constexpr std::array<double, 3> cancelling{1, -1, 1};
+  const bb_curve circle{BB_RATIONAL, 2, 2, points.data(), weights.data()};
+  const bb_curve pole{BB_RATIONAL, 2, 2, points.data(), cancelling.data()};
+  constexpr double pi = 3.141592653589793;
+  double exact = 0;
+  ASSERT_EQ(bb_exact_arc_length(&circle, 0, 1, &exact), BB_OK);
+  EXPECT_EQ(exact, pi / 2);
+  EXPECT_EQ(bb_exact_arc_length(&pole, 0, 1, &exact), BB_ERROR_NO_POINT);
+  EXPECT_EQ(bb_exact_arc_length(&pole, 0.75, 1, &exact), BB_OK);
+  for (const auto& method : methods("arc_length")) {
+    if (method.form != BB_RATIONAL) continue;
+    bb_length length{};
+    ASSERT_EQ(bb_arc_length(method.id, &circle, 0, 0.4142135623730951, 1e-9, &length), BB_OK) << method.id;
+    EXPECT_NEAR(length.length, pi / 4, 1e-3) << method.id;
+    EXPECT_EQ(bb_arc_length(method.id, &pole, 0, 1, 1e-9, &length), BB_ERROR_NO_POINT);
+  }
+}
+
 TEST(C, TheFootOfAPointOverALine) {
   constexpr std::array<double, 4> ends{0, 0, 4, 0};
   const bb_curve line{BB_BERNSTEIN, 2, 1, ends.data(), nullptr};
@@ -538,7 +560,8 @@ TEST(C, CurvesAreChecked) {
   constexpr std::array<double, 3> cancelling{1, -1, 1};  // 1 - 4 t (1 - t) is 0 at 1/2
   EXPECT_EQ(exact({BB_RATIONAL, 2, 2, points.data(), cancelling.data()}), BB_ERROR_NO_POINT);
   double length = 0;
-  EXPECT_EQ(bb_exact_arc_length(&rational, 0, 1, &length), BB_ERROR_FORM);
+  const bb_curve power{BB_POWER, 2, 2, points.data(), nullptr};
+  EXPECT_EQ(bb_exact_arc_length(&power, 0, 1, &length), BB_ERROR_FORM);
   EXPECT_EQ(bb_exact_arc_length(&parabola, 0.5, 0.25, &length), BB_ERROR_PARAMETER);
   EXPECT_EQ(bb_exact_arc_length(&parabola, 0, not_a_number, &length), BB_ERROR_PARAMETER);
   bb_length found;

@@ -256,6 +256,12 @@ class Problems(unittest.TestCase):
         found = bezierbench.arc_length(CURVE)
         self.assertTrue(found.converged)
         self.assertLess(bezierbench.arc_length_error(CURVE, found.length), 1e-9 * found.length)
+        quarter_circle = [[1, 0], [1, 1], [0, 1]]
+        self.assertEqual(bezierbench.exact_arc_length(quarter_circle, weights=[1, 1, 2]), math.pi / 2)
+        found = bezierbench.arc_length(quarter_circle, weights=[1, 1, 2])
+        self.assertLess(bezierbench.arc_length_error(quarter_circle, found.length, weights=[1, 1, 2]), 2e-9)
+        with self.assertRaisesRegex(bezierbench.Error, "sum to zero"):
+            bezierbench.arc_length(quarter_circle, weights=[1, -1, 1])
 
     def test_projection(self):
         self.assertEqual(bezierbench.exact_project([[0, 0], [4, 0]], [1, 3]), (0.25, 3))

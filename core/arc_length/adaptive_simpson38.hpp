@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "core/arc_length/arc_length.hpp"
 #include "core/arc_length/fixed_degree.hpp"
@@ -60,15 +61,16 @@ double min_size(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
 
 }  // namespace detail
 
+/// Bounds of a function and of its first four derivatives on [0, 1].
+using DerivativeSizes = std::array<double, 5>;
+
+/// The largest sizes of h and its derivatives; the part of the last of them that comes from roundings is `rounding`.
 template <int Dimension, int Degree>
-FourthDerivative fourth_derivative(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
+DerivativeSizes derivative_sizes(const Curve<Form::bernstein, double, Dimension, Degree>& h, double& rounding) {
   constexpr double u = 0x1p-53;
   const int m = h.degree();
   const double longest = longest_vector(h);
-  const double least = detail::min_size(h) - 4 * Dimension * u * longest;
-  if (!(least > 0)) return {};
-  std::array<double, 5> derivatives{};  // largest sizes of h and its derivatives
-  FourthDerivative result;
+  DerivativeSizes sizes{longest};
   double factor = 1;
   auto differences = h;
   for (int k = 1; k <= std::min(m, 4); ++k) {
@@ -76,14 +78,30 @@ FourthDerivative fourth_derivative(const Curve<Form::bernstein, double, Dimensio
       for (int axis = 0; axis < Dimension; ++axis)
         differences(axis, i) = differences(axis, i + 1) - differences(axis, i);
     factor *= m - k + 1;
-    const double rounding = factor * k * std::ldexp(u, k) * Dimension * longest;
-    derivatives[static_cast<std::size_t>(k)] = factor * longest_vector(differences, m - k) + rounding;
-    result.rounding = rounding;
+    rounding = factor * k * std::ldexp(u, k) * Dimension * longest;
+    sizes[static_cast<std::size_t>(k)] = factor * longest_vector(differences, m - k) + rounding;
   }
-  const auto [unused, v, a, j, s] = derivatives;
+  return sizes;
+}
+
+/// Those of |h|; infinite where no positive lower bound of |h| is known.
+template <int Dimension, int Degree>
+DerivativeSizes speed_derivatives(const Curve<Form::bernstein, double, Dimension, Degree>& h, double& rounding) {
+  constexpr double u = 0x1p-53;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto sizes = derivative_sizes(h, rounding);
+  const auto [longest, v, a, j, s] = sizes;
+  const double least = detail::min_size(h) - 4 * Dimension * u * longest;
+  if (!(least > 0)) return {longest, infinity, infinity, infinity, infinity};
   const double second = v * v / least + a;
   const double third = 3 * v * (a + second) / least + j;
-  result.bound = (4 * v * (j + third) + 3 * second * second) / least + s;
+  return {longest, v, second, third, (4 * v * (j + third) + 3 * second * second) / least + s};
+}
+
+template <int Dimension, int Degree>
+FourthDerivative fourth_derivative(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
+  FourthDerivative result;
+  result.bound = speed_derivatives(h, result.rounding)[4];
   return result;
 }
 
@@ -99,18 +117,18 @@ struct AdaptiveSimpson38 {
                                    .cost_exponent = 2,
                                    .citation = "[Document 000], eq. (13); [Davis and Rabinowitz 1984]"};
 
-  template <int Dimension>
-  static ArcLength measure(const Curve<Form::bernstein, double, Dimension>& hodograph, double tolerance) {
+  template <class Hodograph>
+  static ArcLength measure(const Hodograph& hodograph, double tolerance) {
     return with_fixed_degree(hodograph, [tolerance](const auto& h) { return measure_copy(h, tolerance); });
   }
 
  private:
-  template <int Dimension, int Degree>
+  template <class Hodograph>
   struct Search;
 
-  template <int Dimension, int Degree>
-  static ArcLength measure_copy(Curve<Form::bernstein, double, Dimension, Degree> hodograph, double tolerance) {
-    Search<Dimension, Degree> search;
+  template <class Hodograph>
+  static ArcLength measure_copy(Hodograph hodograph, double tolerance) {
+    Search<Hodograph> search;
     // A first length makes the tolerance absolute. Half of it is taken, since it may exceed the true length.
     const double first_length = search.first_length(hodograph);
     search.allowed = tolerance * first_length / 2;
@@ -122,18 +140,16 @@ struct AdaptiveSimpson38 {
     return result;
   }
 
-  template <int Dimension, int Degree>
+  template <class Hodograph>
   struct Search {
-    using Hodograph = Curve<Form::bernstein, double, Dimension, Degree>;
-
-    SquaredSpeeds<Dimension> squared_speeds;
+    decltype(speeds_for(std::declval<const Hodograph&>())) speeds;
     double allowed = 0;   ///< absolute error allowed in the mean speed of a panel
     double rounding = 0;  ///< absolute rounding error of the length
     ArcLength result{.length = 0, .error_estimate = 0};
 
     /// A first length: the mean of the speeds in the middles of many equal parts.
     double first_length(const Hodograph& h) {
-      constexpr std::size_t count = SquaredSpeeds<Dimension>::count;
+      constexpr std::size_t count = decltype(speeds)::count;
       const int groups = h.degree() / 2 + 1;
       const double parts = static_cast<double>(count) * groups;
       double sum = 0;
@@ -141,7 +157,7 @@ struct AdaptiveSimpson38 {
         std::array<double, count> t;
         for (std::size_t k = 0; k < count; ++k)
           t[k] = (static_cast<double>(count) * group + static_cast<double>(k) + 0.5) / parts;
-        for (const double square : squared_speeds(h, t)) sum += std::sqrt(square);
+        for (const double f : speeds.speeds(h, t)) sum += f;
       }
       result.evaluations += static_cast<std::int64_t>(parts);
       return sum / parts;
@@ -150,8 +166,7 @@ struct AdaptiveSimpson38 {
     /// The mean speed of a panel, extrapolated from S of both halves and of the whole.
     double mean_speed(const Hodograph& h) {
       static constexpr std::array<double, 8> abscissae{0, 1.0 / 6, 1.0 / 3, 0.5, 2.0 / 3, 5.0 / 6, 1, 1};
-      auto f = squared_speeds(h, abscissae);
-      for (double& value : f) value = std::sqrt(value);
+      const auto f = speeds.speeds(h, abscissae);
       result.evaluations += 7;
       const double halves = ((f[0] + f[6]) + 3 * ((f[1] + f[5]) + (f[2] + f[4])) + 2 * f[3]) / 16;
       const double whole = ((f[0] + f[6]) + 3 * (f[2] + f[4])) / 8;

@@ -21,9 +21,9 @@ struct GaussLegendre24 {
                                    .flops = "24 speeds of (n-1)(1+3d) + 2d + 2",
                                    .citation = "[Davis and Rabinowitz 1984], section 2.7"};
 
-  template <int Dimension>
-  static ArcLength measure(const Curve<Form::bernstein, double, Dimension>& hodograph, double /*tolerance*/) {
-    Speed<Dimension> speed(hodograph);
+  template <class Hodograph>
+  static ArcLength measure(const Hodograph& hodograph, double /*tolerance*/) {
+    auto speed = speed_of(hodograph);
     ArcLength result;
     result.length = gauss_integral<24>(speed);
     result.evaluations = speed.evaluations();

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 
 #include "core/arc_length/arc_length.hpp"
 #include "core/arc_length/chebyshev_series.hpp"
@@ -73,17 +74,18 @@ constexpr std::size_t ellipse_for(int exponent, int eights) {
 
 }  // namespace detail
 
-/// The rule that is proved for the mean speed on [-1, 1]. `allowed` is absolute; the part cut from the series counts
-/// twice.
+/// The rule that is proved for the mean speed on [-1, 1]. `allowed` is absolute; the part cut from the series, `cut`,
+/// counts twice. With `weight`, the denominator is also proved to stay above half of its first coefficient.
 template <int Dimension>
-ProvedRule proved_rule(const ChebyshevSeries<Dimension>& h, double allowed) {
+ProvedRule proved_rule(const ChebyshevSeries<Dimension>& h, double cut, double allowed,
+                       const ChebyshevSeries<1>* weight = nullptr) {
   using detail::ellipses;
   using Lanes [[gnu::vector_size(4 * sizeof(double))]] = double;  // one for each rule, and one that is not used
-  const double allowed_of_rule = allowed - 2 * h.cut();
+  const double allowed_of_rule = allowed - 2 * cut;
   const double limit = h.size(0) * (1 - 0x1p-20);
   const double largest = 2 * h.size(0);
   if (!(allowed_of_rule > 0 && limit > 0)) return {};
-  if (h.degree() == 0) return {8, 2 * h.cut()};  // a constant, of which a rule misses nothing
+  if (h.degree() == 0 && weight == nullptr) return {8, 2 * cut};  // a constant, of which a rule misses nothing
   const int exponent = binary_exponent(largest / allowed_of_rule);
   const auto last = detail::ellipse_count - 1;
   const std::array<std::size_t, detail::gauss_rules> ellipse{std::min(detail::ellipse_for(exponent, 1), last),
@@ -91,20 +93,59 @@ ProvedRule proved_rule(const ChebyshevSeries<Dimension>& h, double allowed) {
                                                              std::min(detail::ellipse_for(exponent, 3), last)};
   const Lanes half_axis{ellipses.half_axis[ellipse[0]], ellipses.half_axis[ellipse[1]], ellipses.half_axis[ellipse[2]]};
   const Lanes twice = 2 * half_axis;
-  Lanes before{1, 1, 1};
-  Lanes here = half_axis;
-  Lanes sum{};
-  for (std::size_t k = 1; k <= h.degree(); ++k) {
-    sum += h.size(k) * here;
-    const Lanes after = twice * here - before;  // A_(k+1) = T_(k+1)(A_1)
-    before = here;
-    here = after;
+  const auto sum_of = [&](const auto& series) {  // all but the first, each at its largest in the ellipses
+    Lanes before{1, 1, 1};
+    Lanes here = half_axis;
+    Lanes sum{};
+    for (std::size_t k = 1; k <= series.degree(); ++k) {
+      sum += series.size(k) * here;
+      const Lanes after = twice * here - before;  // A_(k+1) = T_(k+1)(A_1)
+      before = here;
+      here = after;
+    }
+    return sum;
+  };
+  const Lanes sum = sum_of(h);
+  Lanes sum_of_weight{};
+  double limit_of_weight = 0;
+  if (weight != nullptr) {
+    sum_of_weight = sum_of(*weight);
+    limit_of_weight = weight->size(0) * (0.5 - 0x1p-20) - weight->cut();
   }
   for (std::size_t r = 0; r < detail::gauss_rules; ++r) {
     const double missed = largest * ellipses.missed[r][ellipse[r]];
-    if (sum[r] <= limit && missed <= allowed_of_rule) return {8 * static_cast<int>(r + 1), missed + 2 * h.cut()};
+    if (sum[r] <= limit && sum_of_weight[r] <= limit_of_weight && missed <= allowed_of_rule)
+      return {8 * static_cast<int>(r + 1), missed + 2 * cut};
   }
   return {};
+}
+
+template <int Dimension>
+ProvedRule proved_rule(const ChebyshevSeries<Dimension>& h, double allowed) {
+  return proved_rule(h, h.cut(), allowed);
+}
+
+template <int Dimension, int Degree>
+ChebyshevSeries<Dimension> series_for(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
+  return ChebyshevSeries<Dimension>(h.degree());
+}
+
+/// Replaces the series by that of h; returns the part of cut() that comes from rounding.
+template <int Dimension, int Degree>
+double expand(ChebyshevSeries<Dimension>& series, const Curve<Form::bernstein, double, Dimension, Degree>& h) {
+  const double size = longest_vector(h);
+  series.expand(h, size);
+  return series.rounding(size);
+}
+
+/// Whether a rule may be proved for h; none is where the ends of h are a right angle or more apart. h(1) + h(-1) is
+/// twice the sum of the even terms of the series of h, and h(1) - h(-1) twice that of the odd ones. A proof needs
+/// that the sizes of all terms after a_0 sum to less than |a_0|, so that the first sum is the longer one.
+template <int Dimension, int Degree>
+bool may_be_proved(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
+  double product = 0;
+  for (int axis = 0; axis < Dimension; ++axis) product += h(axis, 0) * h(axis, h.degree());
+  return product > 0;
 }
 
 struct GaussLegendreAdaptive {
@@ -119,10 +160,10 @@ struct GaussLegendreAdaptive {
                                    .cost_exponent = 2,
                                    .citation = "[Levien 2018]; [Trefethen 2013], theorem 19.3"};
 
-  template <int Dimension>
-  static ArcLength measure(const Curve<Form::bernstein, double, Dimension>& hodograph, double tolerance) {
+  template <class Hodograph>
+  static ArcLength measure(const Hodograph& hodograph, double tolerance) {
     return with_fixed_degree(hodograph, [tolerance](const auto& h) {
-      auto search = search_for(h);
+      Search search(h);
       // A first length makes the tolerance absolute. Half of it is taken, since it may exceed the true length.
       const double first_length = search.template integral<8>(h);
       auto result = within(h, tolerance * first_length / 2, search);
@@ -132,26 +173,20 @@ struct GaussLegendreAdaptive {
   }
 
   /// The same for an absolute tolerance of the integral over [0, 1]; `converged` if the error estimate is at most that.
-  template <int Dimension>
-  static ArcLength measure_within(const Curve<Form::bernstein, double, Dimension>& hodograph, double absolute) {
+  template <class Hodograph>
+  static ArcLength measure_within(const Hodograph& hodograph, double absolute) {
     return with_fixed_degree(hodograph, [absolute](const auto& h) {
-      auto search = search_for(h);
+      Search search(h);
       return within(h, absolute, search);
     });
   }
 
  private:
-  template <int Dimension, int Degree>
+  template <class Hodograph>
   struct Search;
 
-  template <int Dimension, int Degree>
-  static Search<Dimension, Degree> search_for(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
-    return Search<Dimension, Degree>(h.degree());
-  }
-
-  template <int Dimension, int Degree>
-  static ArcLength within(Curve<Form::bernstein, double, Dimension, Degree> hodograph, double absolute,
-                          Search<Dimension, Degree>& search) {
+  template <class Hodograph>
+  static ArcLength within(Hodograph hodograph, double absolute, Search<Hodograph>& search) {
     ArcLength& result = search.result;
     search.allowed = absolute;
     result.error_estimate = rounding_of_length(hodograph, 6 * hodograph.degree() + 3 * depth_limit + 32);
@@ -160,25 +195,13 @@ struct GaussLegendreAdaptive {
     return result;
   }
 
-  /// Whether a rule may be proved for h; none is where the ends of h are a right angle or more apart. h(1) + h(-1) is
-  /// twice the sum of the even terms of the series of h, and h(1) - h(-1) twice that of the odd ones. A proof needs
-  /// that the sizes of all terms after a_0 sum to less than |a_0|, so that the first sum is the longer one.
-  template <int Dimension, int Degree>
-  static bool may_be_proved(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
-    double product = 0;
-    for (int axis = 0; axis < Dimension; ++axis) product += h(axis, 0) * h(axis, h.degree());
-    return product > 0;
-  }
-
   /// One measurement: the result so far, and working memory.
-  template <int Dimension, int Degree>
+  template <class Hodograph>
   struct Search {
-    using Hodograph = Curve<Form::bernstein, double, Dimension, Degree>;
+    explicit Search(const Hodograph& h) : series(series_for(h)) {}
 
-    explicit Search(int degree) : series(degree) {}
-
-    SquaredSpeeds<Dimension> squared_speeds;
-    ChebyshevSeries<Dimension> series;
+    decltype(speeds_for(std::declval<const Hodograph&>())) speeds;
+    decltype(series_for(std::declval<const Hodograph&>())) series;
     double allowed = 0;  ///< absolute error allowed in the mean speed of a panel
     ArcLength result{.length = 0, .error_estimate = 0};
 
@@ -186,13 +209,12 @@ struct GaussLegendreAdaptive {
     template <int Points>
     double integral(const Hodograph& h) {
       constexpr const auto& rule = unit_rule<Points>;
-      constexpr std::size_t count = SquaredSpeeds<Dimension>::count;
+      constexpr std::size_t count = decltype(speeds)::count;
       static_assert(Points % count == 0);
       double sum = 0;
       for (std::size_t first = 0; first < Points; first += count) {
-        auto speeds = squared_speeds(h, std::span(rule.t).subspan(first).template first<count>());
-        for (double& speed : speeds) speed = std::sqrt(speed);
-        for (std::size_t k = 0; k < count; ++k) sum += rule.weight[first + k] * speeds[k];
+        const auto values = speeds.speeds(h, std::span(rule.t).subspan(first).template first<count>());
+        for (std::size_t k = 0; k < count; ++k) sum += rule.weight[first + k] * values[k];
       }
       result.evaluations += Points;
       return sum;
@@ -205,9 +227,7 @@ struct GaussLegendreAdaptive {
         result.error_estimate += width * error;
       };
       if (may_be_proved(h)) {
-        const double size = longest_vector(h);
-        const double attainable = std::max(allowed, 4 * series.rounding(size));
-        series.expand(h, size);
+        const double attainable = std::max(allowed, 4 * expand(series, h));
         series.shorten(attainable / 16);
         const auto rule = proved_rule(series, attainable);
         if (rule.points == 8) return take(integral<8>(h), rule.missed);

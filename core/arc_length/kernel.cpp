@@ -17,8 +17,8 @@ namespace {
 /// The answer for the whole task. `part` is the result over [0, 1] in units of 2^exponent. The answer is that times the
 /// scaled width of the parameters; its error includes the roundings of cutting the curve, and the rounding of a length
 /// that is not a double. It has converged if all of this is within the tolerance.
-template <int Dimension>
-ArcLength unscaled(ArcLength part, const ScaledHodograph<Dimension>& scaled, double width, double rounding,
+template <class Hodograph>
+ArcLength unscaled(ArcLength part, const ScaledHodograph<Hodograph>& scaled, double width, double rounding,
                    double tolerance) {
   const double length = part.length * width;
   part.length = times_power_of_two(length, scaled.exponent);
@@ -31,7 +31,7 @@ ArcLength unscaled(ArcLength part, const ScaledHodograph<Dimension>& scaled, dou
 
 template <ArcLengthMethod M, int Dimension>
 ArcLength measure(const CurveView<double>& view, double from, double to, double tolerance) {
-  auto scaled = scaled_hodograph(instantiate::load<Form::bernstein, Dimension>(view));
+  auto scaled = scaled_hodograph(instantiate::load<M::info.form, Dimension>(view));
   if (is_zero(scaled.h) || from == to) return {.length = 0, .error_estimate = 0, .evaluations = 0, .converged = true};
   auto h = scaled.h;
   restrict_to(h, from, to);
@@ -59,7 +59,10 @@ struct MakeKernel {
 double whole_length(const CurveView<double>& curve) {
   constexpr double tolerance = 1e-15;
   const auto methods = arc_length_kernels(curve.dimension);
-  return std::ranges::find(methods, "gauss_legendre_adaptive", [](const auto& method) { return method.info->id; })
+  return std::ranges::find_if(methods,
+                              [&](const auto& method) {
+                                return method.info->id == "gauss_legendre_adaptive" && method.info->form == curve.form;
+                              })
       ->measure(curve, 0, 1, tolerance)
       .length;
 }

@@ -19,7 +19,7 @@ struct ArcLength {
   bool converged = false;  ///< error_estimate is at most tolerance times the length
 };
 
-/// One method, for Bezier curves of one dimension.
+/// One method, for Bezier curves of one dimension and the form of its `info`.
 struct ArcLengthKernel {
   const MethodInfo* info;
   int dimension;
@@ -28,7 +28,7 @@ struct ArcLengthKernel {
   ArcLength (*measure)(const CurveView<double>& curve, double from, double to, double tolerance);
 };
 
-/// The length of a whole curve in the Bernstein form, by the method that is best at it.
+/// The length of a whole curve in the Bernstein or rational form, by the method that is best at it.
 double whole_length(const CurveView<double>& curve);
 
 /// All methods, in roster order. Dimension is 1, 2 or 3.

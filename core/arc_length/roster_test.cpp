@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "core/arc_length/kernel.hpp"
 #include "core/evaluate/evaluation_test.hpp"
@@ -79,6 +80,13 @@ Known scaled(Known curve, double factor) {
   return curve;
 }
 
+std::vector<ArcLengthKernel> methods_of_polynomials(int dimension) {
+  std::vector<ArcLengthKernel> methods;
+  for (const auto& kernel : arc_length_kernels(dimension))
+    if (kernel.info->form == Form::bernstein) methods.push_back(kernel);
+  return methods;
+}
+
 bool promises_something(const ArcLengthKernel& kernel) { return !kernel.info->promise.starts_with("none"); }
 
 TEST(ArcLength, KeepsItsToleranceOrSaysSo) {
@@ -86,7 +94,7 @@ TEST(ArcLength, KeepsItsToleranceOrSaysSo) {
     for (const double factor : {1.0, 1e-9, 1e10, 0x1p-900, 0x1p+900})
       for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-9, 1e-12, 1e-15, 1e-17}) {
         const auto curve = scaled(original, factor);
-        for (const auto& kernel : arc_length_kernels(curve.dimension)) {
+        for (const auto& kernel : methods_of_polynomials(curve.dimension)) {
           const auto result = kernel.measure(curve.view(), curve.from, curve.to, tolerance);
           if (!result.converged) continue;
           const double error = std::abs(result.length - curve.length);
@@ -110,7 +118,7 @@ TEST(ArcLength, KeepsItsToleranceWhereverACuspIs) {
          {Known{"cusp", 2, cusp, from_cusp(1 - 2 * from) + from_cusp(2 * to - 1), from, to},
           Known{"turn", 1, {k * k, k * k - k, (1 - k) * (1 - k)}, k * k + (1 - k) * (1 - k)},  // (t - k)^2
           pythagorean(-k, 1 - k, nearness, nearness * 1.5)})
-      for (const auto& kernel : arc_length_kernels(curve.dimension))
+      for (const auto& kernel : methods_of_polynomials(curve.dimension))
         for (const double tolerance : {1e-2, 1e-3, 1e-5, 1e-8}) {
           const auto result = kernel.measure(curve.view(), curve.from, curve.to, tolerance);
           const bool one_panel = kernel.info->id == Simpson38::info.id;
@@ -130,7 +138,7 @@ TEST(ArcLength, KeepsItsToleranceNextToACusp) {
       const double to = 0.5 + std::ldexp(1.0, -width);
       const reference::TrueLength truth(curve, from, to);
       const auto length = truth.value().convert_to<double>();
-      for (const auto& kernel : arc_length_kernels(2))
+      for (const auto& kernel : methods_of_polynomials(2))
         for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12}) {
           const auto result = kernel.measure(curve, from, to, tolerance);
           EXPECT_TRUE(!result.converged || truth.error_of(result.length) <= tolerance * length)
@@ -141,7 +149,7 @@ TEST(ArcLength, KeepsItsToleranceNextToACusp) {
 
 TEST(ArcLength, AdaptiveMethodsConvergeWhereTheyCan) {
   for (const auto& curve : known_curves())
-    for (const auto& kernel : arc_length_kernels(curve.dimension)) {
+    for (const auto& kernel : methods_of_polynomials(curve.dimension)) {
       const bool simpson = kernel.info->id == AdaptiveSimpson38::info.id;
       const bool gauss = kernel.info->id == GaussLegendreAdaptive::info.id;
       const double tolerance = simpson ? 1e-9 : gauss ? 1e-12 : 1e-4;
@@ -155,7 +163,7 @@ TEST(ArcLength, AdaptiveMethodsConvergeWhereTheyCan) {
 }
 
 TEST(ArcLength, ADifferenceBelowRoundingEndsAndIsNotPromised) {
-  for (const auto& kernel : arc_length_kernels(2)) {
+  for (const auto& kernel : methods_of_polynomials(2)) {
     const auto result = kernel.measure({Form::bernstein, 2, 3, cusp}, 0, 1, 1e-18);
     EXPECT_FALSE(result.converged) << kernel.info->id;
     const bool adaptive = kernel.info->id.starts_with("adaptive") || kernel.info->id.ends_with("adaptive");
@@ -167,7 +175,7 @@ TEST(ArcLength, ADifferenceBelowRoundingEndsAndIsNotPromised) {
 
 TEST(ArcLength, OfAPointIsZero) {
   const std::vector<double> point{0.1, 0.2, 0.1, 0.2, 0.1, 0.2};
-  for (const auto& kernel : arc_length_kernels(2))
+  for (const auto& kernel : methods_of_polynomials(2))
     for (const int degree : {0, 2}) {
       const auto count = static_cast<std::size_t>(2 * (degree + 1));
       const auto result = kernel.measure({Form::bernstein, 2, degree, std::span(point).first(count)}, 0, 1, 1e-9);
@@ -184,9 +192,9 @@ TEST(ArcLength, AdaptiveMethodsAreNotFooledByChance) {
     const auto points = inputs.coefficients(n, 2);
     const CurveView<double> curve{Form::bernstein, 2, n, points};
     double reference = 0;
-    for (const auto& kernel : arc_length_kernels(2))
+    for (const auto& kernel : methods_of_polynomials(2))
       if (kernel.info->id == GaussLegendreAdaptive::info.id) reference = kernel.measure(curve, 0, 1, 1e-11).length;
-    for (const auto& kernel : arc_length_kernels(2)) {
+    for (const auto& kernel : methods_of_polynomials(2)) {
       if (kernel.info->id == ChordSum::info.id) continue;  // its tolerance is proved
       for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6}) {
         const auto result = kernel.measure(curve, 0, 1, tolerance);
@@ -204,7 +212,7 @@ void expect_promises_kept(const std::vector<double>& points, int dimension) {
   const CurveView<double> curve{Form::bernstein, dimension, static_cast<int>(points.size()) / dimension - 1, points};
   const reference::TrueLength truth(curve, 0, 1);
   const auto length = truth.value().convert_to<double>();
-  for (const auto& kernel : arc_length_kernels(dimension))
+  for (const auto& kernel : methods_of_polynomials(dimension))
     for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-9, 1e-12, 1e-15}) {
       const auto result = kernel.measure(curve, 0, 1, tolerance);
       EXPECT_TRUE(!result.converged || truth.error_of(result.length) <= tolerance * length)
@@ -221,7 +229,7 @@ TEST(ArcLength, SeesATurnBetweenTheAbscissae) {
   const std::vector<double> turn{1, 18, 0, 19};
   const CurveView<double> line{Form::bernstein, 1, 3, turn};
   const double known = 11665.0 / 648;
-  for (const auto& kernel : arc_length_kernels(1)) {
+  for (const auto& kernel : methods_of_polynomials(1)) {
     const auto result = kernel.measure(line, 0, 1, 1e-9);
     EXPECT_TRUE(!result.converged || std::abs(result.length - known) <= 1e-9 * known) << kernel.info->id;
   }
@@ -248,7 +256,7 @@ TEST(ArcLength, IsThatOfTheDifferences) {
   const double length = 3e-30;
   for (const double far : {1e300, 1.7e308, -1e300, 1.0, 0.0})
     for (const auto& points : {std::vector<double>{far, 0, far, 1e-30, far, 3e-30}, {0, far, 1e-30, far, 3e-30, far}})
-      for (const auto& kernel : arc_length_kernels(2)) {
+      for (const auto& kernel : methods_of_polynomials(2)) {
         const auto result = kernel.measure({Form::bernstein, 2, 2, points}, 0, 1, 1e-9);
         EXPECT_NEAR(result.length, length, 1e-9 * length) << kernel.info->id << " " << far;
         EXPECT_EQ(result.converged, !std::isnan(result.error_estimate)) << kernel.info->id << " " << far;
@@ -264,7 +272,7 @@ TEST(ArcLength, AtTheEndsOfTheRangeIsNotPromisedUnlessItIsRight) {
       for (double& value : points) value *= unit;
       const CurveView<double> curve{Form::bernstein, 2, static_cast<int>(points.size()) / 2 - 1, points};
       const reference::TrueLength truth(curve, 0, 1);
-      for (const auto& kernel : arc_length_kernels(2))
+      for (const auto& kernel : methods_of_polynomials(2))
         for (const double tolerance : {1e-2, 1e-6, 1e-9}) {
           const auto result = kernel.measure(curve, 0, 1, tolerance);
           const auto error = abs(reference::LongReal(result.length) - truth.value());
@@ -285,7 +293,7 @@ TEST(ArcLength, OfANarrowPartIsAccurate) {
     for (const int width : {-900, -1040, -1060, -1074}) {
       const std::vector<double> line{0, 0, std::ldexp(3, size), 0};
       const double length = std::ldexp(3, size + width);
-      for (const auto& kernel : arc_length_kernels(2)) {
+      for (const auto& kernel : methods_of_polynomials(2)) {
         const auto result = kernel.measure({Form::bernstein, 2, 1, line}, 0, std::ldexp(1, width), tolerance);
         EXPECT_NEAR(result.length, length, tolerance * length) << kernel.info->id << " " << size << " " << width;
         const bool promised = tolerance * length >= std::numeric_limits<double>::denorm_min();
@@ -304,7 +312,7 @@ TEST(ArcLength, IsNotWorseAtATighterTolerance) {
     const int n = static_cast<int>(points.size()) / 2 - 1;
     const CurveView<double> curve{Form::bernstein, 2, n, points};
     const reference::TrueLength truth(curve, 0, 1);
-    for (const auto& kernel : arc_length_kernels(2)) {
+    for (const auto& kernel : methods_of_polynomials(2)) {
       if (kernel.info->id == Seed000Simpson38::info.id) continue;  // its errors at a turn are accidents
       double looser = std::numeric_limits<double>::infinity();
       for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
@@ -320,12 +328,12 @@ TEST(ArcLength, IsNotWorseAtATighterTolerance) {
 /// A part that becomes 0 when it is cut still has a length, below the roundings, and is not promised.
 TEST(ArcLength, OfAPartThatIsLostIsNotPromised) {
   const std::vector<double> rests{0, 0, 0, 1};  // t^3
-  for (const auto& kernel : arc_length_kernels(1))
+  for (const auto& kernel : methods_of_polynomials(1))
     EXPECT_FALSE(kernel.measure({Form::bernstein, 1, 3, rests}, 0, 1e-200, 1e-2).converged) << kernel.info->id;
 }
 
 double length_by(const MethodInfo& method, const Known& curve, double tolerance) {
-  for (const auto& kernel : arc_length_kernels(curve.dimension))
+  for (const auto& kernel : methods_of_polynomials(curve.dimension))
     if (kernel.info == &method) return kernel.measure(curve.view(), curve.from, curve.to, tolerance).length;
   throw std::invalid_argument(std::string(method.id));
 }
@@ -380,7 +388,7 @@ TEST(SourceDocument, AChordIsNotASpeedTimesAStep) {
     least = std::min(least, 9 * std::hypot((1 - t) * (1 - t) - 2 * t * (1 - t), 2 * t * (1 - t) - t * t));
   }
   EXPECT_GT(least, 2);
-  for (const auto& kernel : arc_length_kernels(2))
+  for (const auto& kernel : methods_of_polynomials(2))
     EXPECT_GT(kernel.measure({Form::bernstein, 2, 3, closed}, 0, 1, 1e-6).length, 2);
 }
 

@@ -62,12 +62,12 @@ bool is_zero(const Curve<Form::bernstein, double, Dimension>& h) {
 }
 
 /// A hodograph divided by 2^exponent.
-template <int Dimension>
+template <class Hodograph>
 struct ScaledHodograph {
   /// Not an aggregate, all of which GCC would fill with zeros first: the room for max_degree.
-  explicit ScaledHodograph(const Curve<Form::bernstein, double, Dimension>& hodograph) : h(hodograph) {}
+  explicit ScaledHodograph(const Hodograph& hodograph) : h(hodograph) {}
 
-  Curve<Form::bernstein, double, Dimension> h;
+  Hodograph h;
   int exponent = 0;
 
   [[nodiscard]] double in_units(double length) const { return times_power_of_two(length, -exponent); }
@@ -84,7 +84,7 @@ struct ScaledHodograph {
 /// be. An axis is scaled before only as far as its differences would overflow; what its small coordinates lose by this
 /// is below 2^-1000 of its large differences.
 template <int Dimension>
-ScaledHodograph<Dimension> scaled_hodograph(Curve<Form::bernstein, double, Dimension> curve) {
+auto scaled_hodograph(Curve<Form::bernstein, double, Dimension> curve) {
   std::array<int, Dimension> taken{};
   const int difference_bits = 1 + static_cast<int>(std::bit_width(static_cast<unsigned>(curve.degree())));
   for (int axis = 0; axis < Dimension; ++axis) {
@@ -93,7 +93,7 @@ ScaledHodograph<Dimension> scaled_hodograph(Curve<Form::bernstein, double, Dimen
     for (int i = 0; i <= curve.degree(); ++i) curve(axis, i) = times_power_of_two(curve(axis, i), -difference_bits);
     taken[static_cast<std::size_t>(axis)] = difference_bits;
   }
-  ScaledHodograph<Dimension> result(hodograph(curve, 1));
+  ScaledHodograph result(hodograph(curve, 1));
   result.exponent = detail::normalise<Dimension>(result.h, taken);
   return result;
 }

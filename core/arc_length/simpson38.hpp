@@ -34,9 +34,9 @@ struct Simpson38 {
                                    .flops = "4 speeds of (n-1)(1+3d) + 2d + 2",
                                    .citation = "[Document 000], eq. (13)"};
 
-  template <int Dimension>
-  static ArcLength measure(const Curve<Form::bernstein, double, Dimension>& hodograph, double /*tolerance*/) {
-    Speed<Dimension> speed(hodograph);
+  template <class Hodograph>
+  static ArcLength measure(const Hodograph& hodograph, double /*tolerance*/) {
+    auto speed = speed_of(hodograph);
     ArcLength result;
     result.length = simpson38_panel(speed, 0, 1);
     result.evaluations = speed.evaluations();

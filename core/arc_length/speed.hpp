@@ -29,6 +29,11 @@ class Speed {
   std::int64_t evaluations_ = 0;
 };
 
+template <int Dimension>
+Speed<Dimension> speed_of(const Curve<Form::bernstein, double, Dimension>& hodograph) {
+  return Speed<Dimension>(hodograph);
+}
+
 /// The mean size of the control vectors, that is the length of the control polygon: an upper bound of the length of the
 /// curve.
 template <int Dimension, int Degree>

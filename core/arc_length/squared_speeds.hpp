@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <span>
@@ -31,6 +32,14 @@ class SquaredSpeeds {
       return at_any_degree(h, parameters);
     else
       return at_fixed_degree(h, parameters);
+  }
+
+  /// |h(t)| likewise.
+  template <class Hodograph>
+  Eight speeds(const Hodograph& h, std::span<const double, count> parameters) {
+    auto result = (*this)(h, parameters);
+    for (double& value : result) value = std::sqrt(value);
+    return result;
   }
 
  private:
@@ -85,5 +94,8 @@ class SquaredSpeeds {
 
   std::array<Eight, coordinates(max_degree + 1)> coordinates_;  ///< point by point; only those of one level are read
 };
+
+template <int Dimension, int Degree>
+SquaredSpeeds<Dimension> speeds_for(const Curve<Form::bernstein, double, Dimension, Degree>& hodograph);
 
 }  // namespace bezierbench

@@ -40,8 +40,8 @@ class Fraction {
       points.push_back(exactly(curve(axis, i)) * weights.back());
       least_weight_ = i == 0 ? w : std::min(least_weight_, w);
     }
-    numerator_ = polynomial(points, exponent_);
-    denominator_ = polynomial(weights, weight_exponent_);
+    numerator_ = from_bernstein(points, exponent_);
+    denominator_ = from_bernstein(weights, weight_exponent_);
     slope_ = product(derivative(numerator_), denominator_);
     const auto other = product(numerator_, derivative(denominator_));
     slope_.resize(std::max(slope_.size(), other.size()), 0);
@@ -93,20 +93,6 @@ class Fraction {
   }
 
  private:
-  /// The power coefficients, over 2^exponent, of the polynomial with these Bernstein coefficients.
-  static IntegerPolynomial polynomial(const std::vector<Rational>& b, long& exponent) {
-    exponent = std::ranges::min(b, {}, &Rational::exponent).exponent;
-    std::vector<mpz_class> scaled;
-    const int n = static_cast<int>(b.size()) - 1;
-    mpz_class binomial = 1;
-    for (int i = 0; i <= n; ++i) {
-      const auto& x = b[static_cast<std::size_t>(i)];
-      scaled.emplace_back((x.numerator << static_cast<mp_bitcnt_t>(x.exponent - exponent)) * binomial);
-      binomial = binomial * (n - i) / (i + 1);
-    }
-    return from_scaled_bernstein(scaled);
-  }
-
   IntegerPolynomial numerator_;
   IntegerPolynomial denominator_;
   IntegerPolynomial slope_;

@@ -189,6 +189,19 @@ IntegerPolynomial from_scaled_bernstein(const std::vector<mpz_class>& c) {
   return p;
 }
 
+IntegerPolynomial from_bernstein(const std::vector<Rational>& b, long& exponent) {
+  exponent = std::ranges::min(b, {}, &Rational::exponent).exponent;
+  std::vector<mpz_class> scaled;
+  const int n = static_cast<int>(b.size()) - 1;
+  mpz_class binomial = 1;
+  for (int i = 0; i <= n; ++i) {
+    const auto& x = b[static_cast<std::size_t>(i)];
+    scaled.emplace_back((x.numerator << static_cast<mp_bitcnt_t>(x.exponent - exponent)) * binomial);
+    binomial = binomial * (n - i) / (i + 1);
+  }
+  return from_scaled_bernstein(scaled);
+}
+
 IntegerPolynomial derivative(const IntegerPolynomial& p) {
   IntegerPolynomial result;
   for (std::size_t i = 1; i < p.size(); ++i) result.emplace_back(p[i] * static_cast<unsigned long>(i));

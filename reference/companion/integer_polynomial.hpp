@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include "reference/rational.hpp"
+
 namespace bezierbench::reference {
 
 /// Coefficients, ascending; the last one is not 0. The zero polynomial has none.
@@ -13,6 +15,9 @@ using IntegerPolynomial = std::vector<mpz_class>;
 
 /// From the coefficients of sum c_k t^k (1-t)^(m-k), ascending.
 IntegerPolynomial from_scaled_bernstein(const std::vector<mpz_class>& c);
+
+/// The polynomial with the Bernstein coefficients b, over 2^exponent.
+IntegerPolynomial from_bernstein(const std::vector<Rational>& b, long& exponent);
 
 IntegerPolynomial derivative(const IntegerPolynomial& p);
 

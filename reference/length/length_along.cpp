@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <limits>
 
 namespace bezierbench::reference {
 namespace {
@@ -66,11 +67,17 @@ typename LengthAlong<Real>::Excess LengthAlong<Real>::excess(const Real& t) cons
   auto part = t < 0 ? before : behind;
   if (part.polygon() == 0) return {};
   // A step of de Casteljau's algorithm at t multiplies magnitudes by at most |t| + |1 - t| = 1 + 2 width.
-  Real largest = 0;
-  for (const Real& x : hodograph_.vectors) largest = std::max(largest, Real(abs(x)));
-  for (std::size_t step = 0; step < part.degree(); ++step) largest *= 1 + 2 * width;
-  part.off = 8 * static_cast<double>(part.dimension * (part.degree() + 1)) * Precision<Real>::unit() * largest;
+  const auto set_off = [&](Hodograph<Real>& cut, const Hodograph<Real>& whole) {
+    Real largest = 0;
+    for (const Real& x : whole.vectors) largest = std::max(largest, Real(abs(x)));
+    for (std::size_t step = 0; step < whole.degree(); ++step) largest *= 1 + 2 * width;
+    cut.off = 8 * static_cast<double>(cut.dimension * (cut.degree() + 1)) * Precision<Real>::unit() * largest;
+  };
+  set_off(part, hodograph_);
+  for (std::size_t k = 0; k < part.weight.size(); ++k) set_off(part.weight[k], hodograph_.weight[k]);
   const LengthPanels<Real> integral(part);
+  // Next to a pole the length is infinite, and nothing about it is uncertain.
+  if (!part.weight.empty() && integral.length() > std::numeric_limits<double>::max()) return {integral.length(), 0};
   return {width * integral.length(), width * integral.uncertainty()};
 }
 

@@ -18,8 +18,8 @@ namespace bezierbench::reference {
 template <class Real>
 class LengthAlong {
  public:
-  /// Of `curve` (Bernstein form, finite, dimension at most 3). In 70 digits it throws NotCertain should the length of
-  /// the curve not be certain to 30 digits.
+  /// Of `curve` (Bernstein form or rational without a pole, finite, dimension at most 3). In 70 digits it throws
+  /// NotCertain should the length of the curve not be certain to 30 digits.
   explicit LengthAlong(const CurveView<double>& curve);
 
   /// 0 where all control points are equal.

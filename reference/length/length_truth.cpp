@@ -9,6 +9,7 @@ namespace {
 
 constexpr int largest_degree = 24;
 constexpr double largest_size = 0x1p+300;
+constexpr double largest_weight = 0x1p+100;
 constexpr double min_size = 0x1p-300;
 constexpr double max_uncertain = 0x1p-60;  ///< part of a length; one that is less certain decides nothing
 constexpr double digits_error = 2e-30;  ///< part of the whole length by which 70 digits may be off, and as much again
@@ -16,7 +17,8 @@ constexpr double difference_error = 0x1p-100;  ///< part of two numbers by which
 
 bool is_moderate(const CurveView<double>& curve) {
   if (curve.degree > largest_degree) return false;
-  return std::ranges::all_of(curve.coefficients, [](double x) { return std::abs(x) <= largest_size; });
+  return std::ranges::all_of(curve.coefficients, [](double x) { return std::abs(x) <= largest_size; }) &&
+         std::ranges::all_of(curve.weights, [](double w) { return std::abs(w) <= largest_weight; });
 }
 
 bool is_certain(const PairReal& length, const PairReal& off) {

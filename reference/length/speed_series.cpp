@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -134,6 +135,7 @@ Hodograph<Real> Hodograph<Real>::split(const Real& t) {
     }
     for (std::size_t k = 0; k < (m - level) * dimension; ++k) row[k] = (1 - t) * row[k] + t * row[k + dimension];
   }
+  for (std::size_t k = 0; k < weight.size(); ++k) right.weight[k] = weight[k].split(t);
   return right;
 }
 
@@ -172,12 +174,13 @@ SpeedSeries<Real>::SpeedSeries(const Hodograph<Real>& h) : dimension_(h.dimensio
       sum *= Real(k == 0 ? 1 : 2) / count;
     }
   }
+  for (const auto& w : h.weight) weight_.emplace_back(w);
 }
 
 template <class Real>
 Real SpeedSeries<Real>::speed(const Real& z) const {
   const Real twice = 2 * z;
-  return size_of<Real>(dimension_, [&](std::size_t axis) {
+  const Real size = size_of<Real>(dimension_, [&](std::size_t axis) {
     Real here = 0;
     Real before = 0;
     for (std::size_t k = degree(); k > 0; --k) {
@@ -187,6 +190,9 @@ Real SpeedSeries<Real>::speed(const Real& z) const {
     }
     return Real(coefficients_[axis] + z * here - before);
   });
+  if (weight_.empty()) return size;
+  const Real w = weight_.front().speed(z);
+  return size / (w * w);
 }
 
 template <class Real>
@@ -206,10 +212,37 @@ Real SpeedSeries<Real>::size_1(std::size_t k) const {
 }
 
 template <class Real>
-Real SpeedSeries<Real>::largest() const {
-  Real sum = size_of<Real>(dimension_, [&](std::size_t axis) { return coefficients_[axis]; });
+Real SpeedSeries<Real>::size_of_first() const {
+  return size_of<Real>(dimension_, [&](std::size_t axis) { return coefficients_[axis]; });
+}
+
+template <class Real>
+Real SpeedSeries<Real>::size_of_values() const {
+  Real sum = size_of_first();
   for (std::size_t k = 1; k <= degree(); ++k) sum += size_1(k);
   return sum;
+}
+
+template <class Real>
+Real SpeedSeries<Real>::least_weight() const {
+  const auto& w = weight_.front();
+  const Real first = w.size_of_first();
+  return 2 * first - w.size_of_values();
+}
+
+template <class Real>
+Real SpeedSeries<Real>::largest() const {
+  return change_of_speed({size_of_values(), 0});
+}
+
+/// |h| / W^2 changes by at most d / w^2 + 2 |h| e / w^3 where |h| changes by d and W by e, and both W stay above w: the
+/// difference of 1 / W^2 is that of W times (1 / W + 1 / W') / (W W').
+template <class Real>
+Real SpeedSeries<Real>::change_of_speed(const Off& off) const {
+  if (weight_.empty()) return off.vectors;
+  const Real least = least_weight() - off.weight;
+  if (least <= 0) return std::numeric_limits<double>::infinity();
+  return (off.vectors + 2 * size_of_values() * off.weight / least) / (least * least);
 }
 
 /// A sum or a product loses at most an eighth of a unit. In Clenshaw's algorithm b_k = sum over j >= k of a_j
@@ -217,23 +250,23 @@ Real SpeedSeries<Real>::largest() const {
 /// by at most |U_k|. So |a_j| counts (k + 1)(j - k + 1) times for each k <= j, together C(j+3, 3) times; half as often
 /// for the error of z, since |T_j'| <= j^2. Squares and root lose half a unit.
 template <class Real>
-Real SpeedSeries<Real>::rounding_of_speed() const {
+typename SpeedSeries<Real>::Off SpeedSeries<Real>::rounding_of_values() const {
   Real sum = 0;
   for (std::size_t j = 0; j <= degree(); ++j) sum += size_1(j) * ((j + 1) * (j + 2) * (j + 3) / 6);
-  return 2 * sum;
+  return {2 * sum, weight_.empty() ? Real(0) : weight_.front().rounding_of_values().vectors};
 }
 
 /// The coefficient of T_j is a sum over k >= j of at most c - j products with factors of at most 2 in size.
 template <class Real>
-Real SpeedSeries<Real>::rounding_of_halving() const {
+typename SpeedSeries<Real>::Off SpeedSeries<Real>::rounding_of_halving() const {
   Real sum = 0;
   for (std::size_t k = 0; k <= degree(); ++k) sum += size_1(k) * (k + 1);
-  return sum * (degree() + 2) / 4;
+  return {sum * (degree() + 2) / 4, weight_.empty() ? Real(0) : weight_.front().rounding_of_halving().vectors};
 }
 
 template <class Real>
 bool SpeedSeries<Real>::stays_ahead() const {
-  if (dimension_ > 1) return false;
+  if (dimension_ > 1 || !weight_.empty()) return false;
   Real others = 0;
   for (std::size_t k = 1; k <= degree(); ++k) others += size_1(k);
   return others < abs(coefficients_[0]);
@@ -247,14 +280,17 @@ Real SpeedSeries<Real>::chord_to(const Real& z_end) const {
   std::vector<Real> integral{z_end + 1, since_the_beginning(2) / 4};  // of T_k from -1
   for (std::size_t k = 2; k <= degree(); ++k)
     integral.push_back(since_the_beginning(k + 1) / (2 * (k + 1)) - since_the_beginning(k - 1) / (2 * (k - 1)));
-  return size_of<Real>(dimension_,
-                       [&](std::size_t axis) {
-                         Real sum = 0;
-                         for (std::size_t k = 0; k <= degree(); ++k)
-                           sum += coefficients_[k * dimension_ + axis] * integral[k];
-                         return sum;
-                       }) /
-         (z_end + 1);
+  const Real chord = size_of<Real>(dimension_,
+                                   [&](std::size_t axis) {
+                                     Real sum = 0;
+                                     for (std::size_t k = 0; k <= degree(); ++k)
+                                       sum += coefficients_[k * dimension_ + axis] * integral[k];
+                                     return sum;
+                                   }) /
+                     (z_end + 1);
+  if (weight_.empty()) return chord;
+  const Real largest_weight = weight_.front().size_of_values();
+  return chord / (largest_weight * largest_weight);
 }
 
 /// Let f be analytic inside the ellipse with foci -1 and 1 whose half-axes sum to rho > 1, and |f| <= M there. With N
@@ -264,11 +300,18 @@ Real SpeedSeries<Real>::chord_to(const Real& z_end) const {
 /// Inside |T_k| <= (rho^k + rho^-k)/2. Let S be the sum of |a_k| times that, k > 0, and sqrt(2) S < |a_0|. Then h.h has
 /// no root inside: at one h = x + iy with |x| = |y|, for h.h = |x|^2 - |y|^2 + 2i x.y; with g = h - a_0, of a size of
 /// at most S, y = Im g, a_0 being real, and |a_0| <= |x| + |Re g| = |Im g| + |Re g| <= sqrt(2) S. So |h| = sqrt(h.h) is
-/// analytic inside, and at most |a_0| + S < 2 |a_0|.
+/// analytic inside, and at most |a_0| + S < 2 |a_0|. Let W be at least half its first coefficient w inside, too: then
+/// |h| / W^2 is analytic and at most 8 |a_0| / w^2.
 template <class Real>
 Real SpeedSeries<Real>::proved_miss(const Real& allowed) const {
   if (stays_ahead()) return 0;
-  const Real first = size_of<Real>(dimension_, [&](std::size_t axis) { return coefficients_[axis]; });
+  const Real first_vector = size_of_first();
+  Real first = first_vector;  // of the speed
+  if (!weight_.empty()) {
+    const Real w = weight_.front().size_of_first();
+    if (w == 0) return -1;
+    first *= 4 / (w * w);
+  }
   if (first == 0 || allowed <= 0) return -1;
   constexpr double min_rho = 1.1;
   constexpr int exponent = 2 * Precision<Real>::points_of_rule;
@@ -277,18 +320,38 @@ Real SpeedSeries<Real>::proved_miss(const Real& allowed) const {
   const double log_wanted = wanted > 1 ? std::log(wanted) : 0;
   const double min_fall = 1 - 1 / (min_rho * min_rho);
   const double rho = std::max(min_rho, std::exp((log_wanted - std::log(min_fall)) / exponent) * up);
-  Real sum = 0;
-  double power = 1;
-  for (std::size_t k = 1; k <= degree(); ++k) {
-    power *= rho;
-    sum += size_1(k) * ((power + 1 / power) / 2 * up);
-  }
-  if (2 * sum * sum >= first * first) return -1;
+  const auto others = [&](const SpeedSeries& series) {
+    Real sum = 0;
+    double power = 1;
+    for (std::size_t k = 1; k <= series.degree(); ++k) {
+      power *= rho;
+      sum += series.size_1(k) * ((power + 1 / power) / 2 * up);
+    }
+    return sum;
+  };
+  const Real sum = others(*this);
+  if (2 * sum * sum >= first_vector * first_vector) return -1;
+  for (const auto& w : weight_)
+    if (2 * others(w) > w.size_of_first()) return -1;
   return 2 * first * (up * 32.0 / 15 * std::pow(rho, -exponent) / (1 - 1 / (rho * rho)));
 }
 
+/// |h| may change the speed by half of what is allowed, and W by the other half, with a third of it to spare.
 template <class Real>
-Real SpeedSeries<Real>::shorten(const Real& allowed) {
+typename SpeedSeries<Real>::Off SpeedSeries<Real>::shorten(const Real& allowed) {
+  if (weight_.empty()) return {shorten_vectors(allowed), 0};
+  const Real least = least_weight();
+  if (least <= 0) return {};
+  const Real of_vectors = allowed * least * least / 3;
+  const Real size = size_of_values();
+  const Real most = least / 8;
+  Real of_weight = size > 0 ? Real(of_vectors / (2 * size) * least) : most;
+  if (of_weight > most) of_weight = most;
+  return {shorten_vectors(of_vectors), weight_.front().shorten_vectors(of_weight)};
+}
+
+template <class Real>
+Real SpeedSeries<Real>::shorten_vectors(const Real& allowed) {
   Real cut = 0;
   while (degree() > 0) {
     const Real with_next = cut + size_1(degree());
@@ -329,6 +392,7 @@ SpeedSeries<Real> SpeedSeries<Real>::halve(const Halving& halving) {
       coefficients_[j * dimension_ + axis] = even - odd;  // a_j is read by no later j
     }
   }
+  for (auto& w : weight_) right.weight_.push_back(w.halve(halving));
   return right;
 }
 

@@ -102,7 +102,9 @@ template <class Real>
 struct Hodograph {
   std::size_t dimension;
   std::vector<Real> vectors;
-  Real off = 0;  ///< by which roundings may have changed the mean speed
+  Real off = 0;  ///< by which roundings may have changed the mean speed; in a rational curve, any of the vectors
+  /// Of a rational curve, W; empty, or one element of dimension 1. The speed is then |h| / W^2.
+  std::vector<Hodograph> weight = {};
 
   [[nodiscard]] std::size_t degree() const { return vectors.size() / dimension - 1; }
 
@@ -116,33 +118,43 @@ struct Hodograph {
 
 using LongHodograph = Hodograph<LongReal>;
 
-/// h = sum a_k T_k(z), k = 0 .. degree.
+/// h = sum a_k T_k(z), k = 0 .. degree. For a rational curve the speed is |h| / W^2, with a series for W as well; the
+/// degree and the dimension are those of h.
 template <class Real>
 class SpeedSeries {
  public:
+  /// What is uncertain of |h| and of W.
+  struct Off {
+    Real vectors = 0;
+    Real weight = 0;
+  };
+
   /// Interpolates h, over [0, 1], at the roots of T_(m+1), which is exact except for rounding.
   explicit SpeedSeries(const Hodograph<Real>& h);
 
   [[nodiscard]] std::size_t degree() const { return coefficients_.size() / dimension_ - 1; }
   [[nodiscard]] std::size_t dimension() const { return dimension_; }
 
-  /// |h(z)| by Clenshaw's algorithm.
+  /// The speed at z by Clenshaw's algorithm.
   [[nodiscard]] Real speed(const Real& z) const;
 
   /// The mean speed on [-1, z_end], z_end > -1: the chord where the curve stays ahead, else by the Gauss-Legendre rule
   /// of Precision.
   [[nodiscard]] Real mean_speed_to(const Real& z_end) const;
 
-  /// An upper bound of |h| on [-1, 1].
+  /// An upper bound of the speed on [-1, 1]; infinite where W is not known to have no root.
   [[nodiscard]] Real largest() const;
 
-  /// |mean of h| on [-1, z_end], z_end > -1, which the mean speed there is never below.
+  /// |mean of h| on [-1, z_end], z_end > -1, over the largest W^2, which the mean speed there is never below.
   [[nodiscard]] Real chord_to(const Real& z_end) const;
 
-  /// What speed() loses by rounding, in units of Precision, for z that is right to a unit.
-  [[nodiscard]] Real rounding_of_speed() const;
-  /// How much roundings of halve() may change h, in the unit of Precision.
-  [[nodiscard]] Real rounding_of_halving() const;
+  /// What |h| and W at z lose by rounding, in units of Precision, for z that is right to a unit.
+  [[nodiscard]] Off rounding_of_values() const;
+  /// How much roundings of halve() may change h and W, in the unit of Precision.
+  [[nodiscard]] Off rounding_of_halving() const;
+
+  /// How much these change the speed; infinite where W is not known to have no root.
+  [[nodiscard]] Real change_of_speed(const Off& off) const;
 
   /// True where h has one axis and no root, because a_0 is larger than all other terms together.
   [[nodiscard]] bool stays_ahead() const;
@@ -151,8 +163,9 @@ class SpeedSeries {
   /// of at most `allowed` is proved.
   [[nodiscard]] Real proved_miss(const Real& allowed) const;
 
-  /// Removes as many of the last terms as change |h| by at most `allowed`; returns a bound of the change.
-  Real shorten(const Real& allowed);
+  /// Removes as many of the last terms as change the speed by at most `allowed`; returns a bound of the change of |h|
+  /// and W.
+  Off shorten(const Real& allowed);
 
   /// The coefficients by which T_k on a whole interval is a sum of T_j on one half, for series up to this degree.
   class Halving;
@@ -163,9 +176,15 @@ class SpeedSeries {
  private:
   explicit SpeedSeries(std::size_t dimension) : dimension_(dimension) {}
   [[nodiscard]] Real size_1(std::size_t k) const;  ///< of a_k, the sum over the axes, which is at least |a_k|
+  [[nodiscard]] Real size_of_first() const;        ///< |a_0|
+  [[nodiscard]] Real size_of_values() const;       ///< of |h| on [-1, 1], an upper bound
+  /// A lower bound of |W| on [-1, 1]; 0 or less where none is known.
+  [[nodiscard]] Real least_weight() const;
+  Real shorten_vectors(const Real& allowed);
 
   std::size_t dimension_;
-  std::vector<Real> coefficients_;  ///< point by point
+  std::vector<Real> coefficients_;   ///< point by point
+  std::vector<SpeedSeries> weight_;  ///< of a rational curve
 };
 
 template <class Real>

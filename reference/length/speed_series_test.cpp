@@ -58,7 +58,7 @@ TEST(SpeedSeries, SaysByHowMuchItIsCut) {
   const SpeedSeries<LongReal> whole(h);
   for (const char* allowed : {"1e-40", "1e-3", "0.1"}) {
     auto series = whole;
-    const LongReal cut = series.shorten(LongReal(allowed));
+    const LongReal cut = series.shorten(LongReal(allowed)).vectors;
     EXPECT_LE(cut, LongReal(allowed));
     for (int k = 0; k <= 50; ++k) {
       const LongReal z = LongReal(k) / 25 - 1;

@@ -13,7 +13,8 @@ namespace bezierbench::reference {
 
 class TrueLength {
  public:
-  /// Of the part of `curve` (Bernstein form, finite, dimension at most 3) between parameters 0 <= from <= to <= 1.
+  /// Of the part of `curve` (Bernstein form or rational without a pole in it, finite, dimension at most 3) between
+  /// parameters 0 <= from <= to <= 1.
   /// Throws NotCertain should its length not be certain to 30 digits: every whole curve to degree 64 has one that is.
   TrueLength(const CurveView<double>& curve, double from, double to);
 

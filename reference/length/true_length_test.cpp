@@ -53,6 +53,51 @@ TEST(TrueLength, SeesATurnThatNoNodeSees) {
     }
 }
 
+TrueLength length_of(const std::vector<double>& points, const std::vector<double>& weights, int dimension,
+                     double from = 0, double to = 1) {
+  return {{Form::rational, dimension, static_cast<int>(weights.size()) - 1, points, weights}, from, to};
+}
+
+/// The circle ((1 - t^2) / (1 + t^2), 2t / (1 + t^2)) has the angle 2 atan(t).
+TEST(TrueLength, OfRationalCurvesIsTheKnownOne) {
+  const LongReal pi = acos(LongReal(-1));
+  const std::vector<double> quarter{1, 0, 1, 1, 0, 1};
+  expect_digits(length_of(quarter, {1, 1, 2}, 2), pi / 2);
+  expect_digits(length_of(quarter, {-0x1p-80, -0x1p-80, -0x1p-79}, 2), pi / 2);
+  expect_digits(length_of(quarter, {1, 1, 2}, 2, 0.25, 0.875), 2 * (atan(LongReal(0.875)) - atan(LongReal(0.25))));
+  expect_digits(length_of({1 + 0x1p+40, 0, 1 + 0x1p+40, 1, 0x1p+40, 1}, {1, 1, 2}, 2), pi / 2);
+  expect_digits(length_of({0x1p-600, 0, 0x1p-600, 0x1p-600, 0, 0x1p-600}, {1, 1, 2}, 2), ldexp(pi / 2, -600));
+  // A line that does not turn, whatever its weights, and lines that do.
+  expect_digits(length_of({0, 1, 3, 5}, {1, 0x1p+20, 0x1p-20, 8}, 1), 5);
+  expect_digits(length_of({0, 1, 0}, {1, 1, 1}, 1), 1);
+  EXPECT_EQ(length_of({2, 2, 2}, {1, -0.5, 1}, 1).value(), 0);
+  // 1 / (1 - t + t^2) rises from 1 to 4/3 at 1/2 and falls again; its weights are 1, 1/2, 1 and its points 1, 2, 1.
+  expect_digits(length_of({1, 2, 1}, {1, 0.5, 1}, 1), LongReal(2) / 3);
+  // 1 / (1 - 3t + 3t^2), with weights 1, -1/2, 1: from 1 to 4 and back.
+  expect_digits(length_of({1, -2, 1}, {1, -0.5, 1}, 1), 6);
+}
+
+/// Parts add up. Weights times powers of c^i are another parameter t / (t + (1 - t) / c) of the same curve.
+TEST(TrueLength, OfARationalCurveDoesNotDependOnItsSpeed) {
+  std::mt19937_64 words(3);
+  const auto uniform = [&words] { return static_cast<double>(words() >> 11U) * 0x1p-53; };
+  for (const int n : {1, 2, 3, 5, 8}) {
+    std::vector<double> points;
+    std::vector<double> weights;
+    std::vector<double> faster;
+    for (int i = 0; i <= n; ++i) {
+      for (int axis = 0; axis < 3; ++axis) points.push_back(2 * uniform() - 1);
+      weights.push_back(uniform() + 0.25);
+      faster.push_back(std::ldexp(weights.back(), 3 * i));
+    }
+    const auto whole = length_of(points, weights, 3);
+    expect_digits(length_of(points, faster, 3), whole.value());
+    expect_digits(whole,
+                  length_of(points, weights, 3, 0, 0.375).value() + length_of(points, weights, 3, 0.375, 1).value());
+    EXPECT_GT(whole.value(), 0);
+  }
+}
+
 TEST(TrueLength, OfAPointIsZero) {
   EXPECT_EQ(length_of({0.1, 0.2}, 2).value(), 0);
   EXPECT_EQ(length_of({0.1, 0.2, 0.1, 0.2, 0.1, 0.2}, 2).value(), 0);

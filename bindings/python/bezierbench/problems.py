@@ -51,10 +51,11 @@ def _check_truth(curve: GivenCurve, call: Callable[[], int]) -> None:
     check(interruptible(call) if len(curve.points) > 21 else call())
 
 
-def arc_length(points: ArrayLike, method: str = "gauss_legendre_adaptive", *, start: float = 0, stop: float = 1,
-               tolerance: float = 1e-9) -> Length:
-    """The length of a Bezier curve between two parameters in [0,1], up to `tolerance` times that length."""
-    curve = GivenCurve(points)
+def arc_length(points: ArrayLike, method: str = "gauss_legendre_adaptive", *, weights: ArrayLike | None = None, start: float = 0,
+               stop: float = 1, tolerance: float = 1e-9) -> Length:
+    """The length of a Bezier curve, with `weights` of a rational one, between two parameters in [0,1], up to `tolerance` times that
+    length."""
+    curve = GivenCurve(points, weights=weights)
     found = LengthEntry()
     check(library.bb_arc_length(method.encode(), curve.pointer, start, stop, tolerance, ctypes.byref(found)))
     return Length(found.length, found.error_estimate, found.evaluations, bool(found.converged))
@@ -69,17 +70,17 @@ def at_length(points: ArrayLike, length: float, method: str = "bracketed_newton"
     return Parameter(found.t, found.error_estimate, found.iterations, bool(found.converged))
 
 
-def exact_arc_length(points: ArrayLike, *, start: float = 0, stop: float = 1) -> float:
+def exact_arc_length(points: ArrayLike, *, weights: ArrayLike | None = None, start: float = 0, stop: float = 1) -> float:
     """The true length, rounded once."""
-    curve = GivenCurve(points)
+    curve = GivenCurve(points, weights=weights)
     length = ctypes.c_double()
     _check_truth(curve, lambda: library.bb_exact_arc_length(curve.pointer, start, stop, ctypes.byref(length)))
     return length.value
 
 
-def arc_length_error(points: ArrayLike, length: float, *, start: float = 0, stop: float = 1) -> float:
+def arc_length_error(points: ArrayLike, length: float, *, weights: ArrayLike | None = None, start: float = 0, stop: float = 1) -> float:
     """|length - true length|, rounded once; 0 where it is within 1e-30 of the length."""
-    curve = GivenCurve(points)
+    curve = GivenCurve(points, weights=weights)
     error = ctypes.c_double()
     _check_truth(curve, lambda: library.bb_arc_length_error(curve.pointer, start, stop, length, ctypes.byref(error)))
     return error.value

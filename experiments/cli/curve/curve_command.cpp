@@ -8,6 +8,7 @@
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/peers/peers.hpp"
 #include "experiments/suite/ids.hpp"
+#include "reference/companion/pole.hpp"
 #include "reference/error/coordinate_error.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/number/number.hpp"
@@ -109,7 +110,9 @@ void refuse_curve(const std::string& name, const CurveFile& curve, const MethodI
   std::string why = why_not(any, curve);
   if (curve.form == Form::rational)
     why = fmt::format(
-        "no method for {} takes rational curves (column w); `curve eval`, `derivative`, `split` and `box` do", problem);
+        "no method for {} takes rational curves (column w); `curve eval`, `derivative`, `length`, `split` and "
+        "`box` do",
+        problem);
   else if (curve.form == Form::power)
     why = fmt::format("no method for {} takes the power form; see `curve convert`", problem);
   throw Failure(Exit::usage, "{}: {}", name, why);
@@ -121,6 +124,14 @@ void require_point(const reference::ExactPoint& point, double t, const std::stri
                   fmt::format("--t {}: the weights of {} sum to zero there, so the curve has no point; see "
                               "column w or choose another t",
                               number::decimal(t), name));
+}
+
+void refuse_pole(const CurveView<double>& curve, double from, double to, const std::string& name) {
+  if (const auto t = reference::pole(curve, from, to))
+    throw Failure(
+        Exit::usage,
+        "{}: has a pole, since the weights (column w) sum to zero at t = {}; its parts on either side have none", name,
+        number::decimal(*t));
 }
 
 void unknown_method(const std::string& id, Problem problem) {

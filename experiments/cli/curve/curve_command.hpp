@@ -80,6 +80,9 @@ std::string why_not(const MethodInfo& info, const CurveFile& curve);
 /// Throws Failure(usage) for the point of a rational curve called `name` at t where there is none.
 void require_point(const reference::ExactPoint& point, double t, const std::string& name);
 
+/// Throws Failure(usage) for a rational curve called `name` with a pole in [from, to].
+void refuse_pole(const CurveView<double>& curve, double from, double to, const std::string& name);
+
 /// Throws Failure(usage) for a method `id` of the problem that does not exist or is not in this build.
 [[noreturn]] void unknown_method(const std::string& id, Problem problem);
 

@@ -62,12 +62,13 @@ class CurveFiles(Case):
         with open(self.folder / self.write("c", "[[0,0],[1,2]]"), "rb") as stdin:
             evaluated = self.fine("curve", "eval", "--curve", "-", "--t", "0.5", "--method", "de_casteljau", stdin=stdin)
         self.assertIn("de_casteljau,0.5,y,1,1,0,", evaluated)
-        # The circle is rational, which no method for lengths takes: the others are answered, and a line says so.
-        result = self.run_program(*length, "--curve", "logo.svg")
+        # The circle is rational, which no method for grids takes: the others are answered, and a line says so.
+        self.assertEqual(len(rows(self.fine(*length, "--curve", "logo.svg"))), 9)
+        grid = ["curve", "grid", "--points", "3", "--method", "pointwise_de_casteljau", "--curve"]
+        result = self.run_program(*grid, "logo.svg")
         self.assertEqual(result.returncode, 0)
-        self.assertEqual(len(rows(result.stdout.decode())), 5)
         self.assertIn("logo.svg: 4 of 9 left out", result.stderr.decode())
-        self.refused(USAGE, ["curve", "length", "--curve", "logo.svg#dot"], "logo.svg#dot", "rational")
+        self.refused(USAGE, [*grid, "logo.svg#dot"], "column w", "rational")
         for row in rows(self.fine("curve", "eval", "--curve", "logo.svg#dot", "--t", "0.5")):
             self.assertAlmostEqual(abs(float(row["exact"])), math.sqrt(2), 15)
         for arguments, *needles in [(["--curve", "logo.svg#none"], "logo.svg#none", "it has 9"), (["--curve", "a", "--path", "M0,0"], "--path"),

@@ -77,6 +77,7 @@ void Length::add_answer(std::span<const CurveCase<ArcLengthKernel>> segments, Cu
   std::optional<PathLength> exact = PathLength();  // the methods' results are printed without it, too
   for (const auto& one : segments) try {
       const auto curve = one.curve.view();
+      refuse_pole(curve, first_, last_, one.name);
       std::optional<reference::TrueLength> length;
       const bool finished = truth.finishes(one.name, curve.degree, [&] { length.emplace(curve, first_, last_); });
       if (!finished) exact.reset();

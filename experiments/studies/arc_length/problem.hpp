@@ -15,6 +15,7 @@
 #include "experiments/metric/counts.hpp"
 #include "experiments/studies/promises.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
+#include "reference/companion/pole.hpp"
 #include "reference/length/length_truth.hpp"
 
 namespace bezierbench::studies {
@@ -42,7 +43,7 @@ class ArcLengthProblem {
   using Errors = LengthErrors;
   using Row = TrialRow<Kernel, Errors>;
   struct Drawn : judge::DrawnCurve {
-    std::optional<reference::LengthTruth> truth;
+    std::optional<reference::LengthTruth> truth;  ///< empty across a pole of a rational curve
   };
 
   static constexpr std::array case_columns{judge::case_column::tolerance};
@@ -77,7 +78,9 @@ class ArcLengthProblem {
 
   void draw(std::uint64_t number, Drawn& drawn) const {
     curves_.draw(number, drawn);
-    drawn.truth.emplace(drawn.curve, interval_.min, interval_.max, tier_);
+    drawn.truth.reset();
+    if (!reference::pole(drawn.curve, interval_.min, interval_.max))
+      drawn.truth.emplace(drawn.curve, interval_.min, interval_.max, tier_);
   }
   void ask(const Kernel& method, const Drawn& drawn, double tolerance, Answer& answer) const {
     answer = method.measure(drawn.curve, interval_.min, interval_.max, tolerance);

@@ -235,7 +235,7 @@ BB_API int bb_curve_bound(const char* method, const bb_curve* curve, const doubl
 BB_API int bb_bound_float(const char* method, int dimension, int degree, const float* points, const float* t,
                           size_t count, bb_bound* bounds);
 
-/* ---- Arc length of a Bezier curve (BB_BERNSTEIN) ---- */
+/* ---- Arc length of a curve with control points (BB_BERNSTEIN or BB_RATIONAL) ---- */
 
 typedef struct bb_length {
   double length;
@@ -244,7 +244,8 @@ typedef struct bb_length {
   int converged;         /* 1 where error_estimate is at most tolerance times the length */
 } bb_length;
 
-/* The length between the parameters 0 <= from <= to <= 1, up to `tolerance` > 0 times that length. */
+/* The length between the parameters 0 <= from <= to <= 1, up to `tolerance` > 0 times that length. BB_ERROR_NO_POINT where
+ * the weights of a rational curve sum to zero between them: its length is infinite. */
 BB_API int bb_arc_length(const char* method, const bb_curve* curve, double from, double to, double tolerance,
                          bb_length* length);
 
