@@ -66,6 +66,7 @@ int bb_at_length(const char* method, const bb_curve* curve, double length, doubl
     const auto view = c::curve_of(curve);
     const auto& kernel = c::chosen(inverse_arc_length_kernels(view.dimension), method, view);
     require_tolerance(tolerance);
+    c::require(!reference::pole(view), BB_ERROR_NO_POINT);
     const double whole = whole_length(view);
     c::require(0 <= length && length <= whole + tolerance * whole, BB_ERROR_PARAMETER);
     c::require_pointers(found);

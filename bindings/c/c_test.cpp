@@ -165,6 +165,13 @@ TEST(C, LengthsOfARationalCurve) {
     EXPECT_NEAR(length.length, pi / 4, 1e-3) << method.id;
     EXPECT_EQ(bb_arc_length(method.id, &pole, 0, 1, 1e-9, &length), BB_ERROR_NO_POINT);
   }
+  for (const auto& method : methods("inverse_arc_length")) {
+    if (method.form != BB_RATIONAL) continue;
+    bb_parameter found{};
+    ASSERT_EQ(bb_at_length(method.id, &circle, pi / 4, 1e-9, &found), BB_OK) << method.id;
+    EXPECT_NEAR(found.t, 0.4142135623730951, 1e-8) << method.id;
+    EXPECT_EQ(bb_at_length(method.id, &pole, 0, 1e-9, &found), BB_ERROR_NO_POINT);
+  }
 }
 
 TEST(C, TheFootOfAPointOverALine) {

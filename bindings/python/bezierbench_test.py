@@ -260,6 +260,8 @@ class Problems(unittest.TestCase):
         self.assertEqual(bezierbench.exact_arc_length(quarter_circle, weights=[1, 1, 2]), math.pi / 2)
         found = bezierbench.arc_length(quarter_circle, weights=[1, 1, 2])
         self.assertLess(bezierbench.arc_length_error(quarter_circle, found.length, weights=[1, 1, 2]), 2e-9)
+        half = bezierbench.at_length(quarter_circle, math.pi / 4, weights=[1, 1, 2])
+        self.assertAlmostEqual(half.t, math.tan(math.pi / 8), 8)
         with self.assertRaisesRegex(bezierbench.Error, "sum to zero"):
             bezierbench.arc_length(quarter_circle, weights=[1, -1, 1])
 

@@ -44,18 +44,29 @@ def tanh_sinh_rule(per_unit):
 RULE = tanh_sinh_rule(64)
 
 
-def polynomial(points):
-    """|C'|^2 as power coefficients, exactly, ascending; Fractions."""
-    n = len(points) - 1
-    total = [Fraction(0)] * (2 * max(n, 1) - 1)
+def times(p, q):
+    product = [Fraction(0)] * max(len(p) + len(q) - 1, 0)
+    for i, x in enumerate(p):
+        for j, y in enumerate(q):
+            product[i + j] += x * y
+    return product
+
+
+def to_power(b):
+    n = len(b) - 1
+    return [math.comb(n, j) * sum((-1) ** (j - i) * math.comb(j, i) * Fraction(b[i]) for i in range(j + 1)) for j in range(n + 1)]
+
+
+def hodograph(points, weights):
+    """A' W - A W' of each axis and W as power coefficients, exactly, ascending; Fractions. W is 1 without weights."""
+    denominator = to_power(weights) if weights else [Fraction(1)]
+    axes = []
     for axis in range(len(points[0])):
-        b = [Fraction(p[axis]) for p in points]
-        q = [math.comb(n, j) * sum((-1) ** (j - i) * math.comb(j, i) * b[i] for i in range(j + 1)) for j in range(n + 1)]
-        slope = [j * c for j, c in enumerate(q)][1:]
-        for i, x in enumerate(slope):
-            for j, y in enumerate(slope):
-                total[i + j] += x * y
-    return total
+        numerator = to_power([Fraction(p[axis]) * Fraction(w) for p, w in zip(points, weights or [1] * len(points))])
+        left, right = times(derivative(numerator), denominator), times(numerator, derivative(denominator))
+        size = max(len(left), len(right))
+        axes.append([x - y for x, y in zip(*(side + [Fraction(0)] * (size - len(side)) for side in (left, right)))])
+    return axes, denominator
 
 
 def horner(coefficients, z):
@@ -86,14 +97,14 @@ def roots_of(coefficients):
     return roots
 
 
-def cuts(square):
-    """The ends of the pieces: 0, 1, the real parts of complex roots of |C'|^2, and its extrema. A root next to the real
-    axis gives a minimum, which is refined in decimal: a cusp is a double root of |C'|^2, but a simple root of its
+def cuts(square, denominator):
+    """The ends of the pieces: 0, 1, the real parts of complex roots of |A'W - AW'|^2 and of W, and the extrema of the first. A root
+    next to the real axis gives a minimum, which is refined in decimal: a cusp is a double root of it, but a simple root of its
     derivative."""
     slope = [decimal(c) for c in derivative(square)]
     bend = derivative(slope)
     found = {Decimal(0), Decimal(1)}
-    found |= {Decimal(root.real) for root in roots_of(square) if 0 < root.real < 1 and abs(root.imag) > 1e-4}
+    found |= {Decimal(root.real) for root in roots_of(square) + roots_of(denominator) if 0 < root.real < 1 and abs(root.imag) > 1e-4}
     for root in roots_of(derivative(square)):
         if not (math.isfinite(root.real) and 0 < root.real < 1):
             continue
@@ -108,22 +119,20 @@ def cuts(square):
 class Curve:
     """Lengths of one curve, in units of a power of two."""
 
-    def __init__(self, points):
+    def __init__(self, points, weights=None):
         size = max((abs(x) for p in points for x in p), default=0) or 1.0
         self.unit = Fraction(2) ** math.frexp(size)[1]
         scaled = [[Fraction(x) / self.unit for x in p] for p in points]
-        n = len(points) - 1
-        self.hodograph = [[decimal(n * (b - a)) for a, b in zip(p, q)] for p, q in zip(scaled, scaled[1:])]
-        square = polynomial(scaled)
+        axes, denominator = hodograph(scaled, weights)
+        squares = [times(axis, axis) for axis in axes]
+        square = [sum(terms) for terms in zip(*squares)]
         self.still = not any(square)
-        self.cuts = [] if self.still else cuts(square)
+        self.cuts = [] if self.still else cuts(square, denominator)
+        self.axes, self.denominator = [[decimal(c) for c in axis] for axis in axes], [decimal(c) for c in denominator]
         self.whole = self.length(Decimal(0), Decimal(1))
 
     def speed(self, t):
-        row = self.hodograph
-        while len(row) > 1:
-            row = [[a + t * (b - a) for a, b in zip(p, q)] for p, q in zip(row, row[1:])]
-        return sum((x * x for x in row[0]), Decimal(0)).sqrt()
+        return sum((horner(axis, t) ** 2 for axis in self.axes), Decimal(0)).sqrt() / horner(self.denominator, t) ** 2
 
     def length(self, low, high):
         """The length of the part between two parameters in [0, 1]."""
@@ -139,7 +148,7 @@ class Curve:
             both = self.speed(low + width * near) + (self.speed(high - width * near) if k else 0)
             fine += weight * both
             coarse += 2 * weight * both if k % 2 == 0 else 0
-        if abs(fine - coarse) * width > AGREE * max(map(abs, (x for v in self.hodograph for x in v))):
+        if abs(fine - coarse) * width > AGREE * max(map(abs, (x for axis in self.axes for x in axis))):
             raise ArithmeticError(f"the oracle's own steps differ by {fine - coarse:.1e}")
         return width * fine
 
@@ -153,7 +162,7 @@ def close(value, expected, unit, digits):
 
 
 def judge_length(rows, curve):
-    if list(rows[0]) != LENGTH or len(rows) < 4:
+    if list(rows[0]) != LENGTH or len(rows) < 3:
         yield f"columns or methods: {rows[:1]}"
         return
     unit = decimal(curve.unit)
@@ -204,6 +213,25 @@ def mixed(draw, n, d):
 KINDS = (uniform, integers, mixed, straight, constant, collinear, cusp)
 
 
+def positive(draw, n):
+    return [draw.uniform(0.25, 4) for _ in range(n + 1)]
+
+
+def of_both_signs(draw, n):
+    """Weights whose sum has no root: those in between are so small that the ends outweigh them."""
+    return [1.0, *(draw.uniform(-1, 2) / n for _ in range(n - 1)), draw.uniform(1, 4)][: n + 1]
+
+
+def rational_cases(seed):
+    """Yields (name, control points, weights)."""
+    draw = random.Random(seed)
+    yield "quarter circle", [[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]], [1.0, 1.0, 2.0]
+    for kind in (uniform, integers, cusp, collinear):
+        for weights in (positive, of_both_signs):
+            n = 3 if kind is cusp else draw.choice((1, 2, 3, 4))
+            yield f"{kind.__name__}, weights {weights.__name__} {n}", kind(draw, n, 1 + draw.randrange(3)), weights(draw, n)
+
+
 def cases(seed):
     """Yields (name, control points)."""
     draw = random.Random(seed)
@@ -217,12 +245,15 @@ def cases(seed):
     yield "huge", [[x * 2.0**900 for x in p] for p in uniform(draw, 3, 2)]
 
 
-def judge(program, points, draw):
+def judge(program, points, draw, weights=None):
     """Yields the mismatches for one curve."""
-    def rows(command, *options):
-        return program.ask(command, "--curve", points, "--tolerance", TOLERANCE, *options)[0]
+    names = [*judging.AXES[:len(points[0])], "w"]
+    given = [[*p, w] for p, w in zip(points, weights)] if weights else points
 
-    curve = Curve(points)
+    def rows(command, *options):
+        return program.ask(command, "--curve", given, "--tolerance", TOLERANCE, *options, columns=names)[0]
+
+    curve = Curve(points, weights)
     yield from judge_length(rows("length"), curve)
     share = draw.choice((0.0, 1.0, draw.random(), draw.random(), draw.random()))
     yield from judge_at_length(rows("at-length", f"--fraction={share!r}"), curve, Decimal(share) * curve.whole)
@@ -232,6 +263,8 @@ def judge(program, points, draw):
 
 def questions(program, seed):
     draw = random.Random(-seed)
+    for name, points, weights in rational_cases(seed):
+        yield f"{name} {points} {weights}", judge(program, points, draw, weights)
     for name, points in cases(seed):
         yield f"{name} {points}", judge(program, points, draw)
 

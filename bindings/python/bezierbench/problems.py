@@ -61,10 +61,11 @@ def arc_length(points: ArrayLike, method: str = "gauss_legendre_adaptive", *, we
     return Length(found.length, found.error_estimate, found.evaluations, bool(found.converged))
 
 
-def at_length(points: ArrayLike, length: float, method: str = "bracketed_newton", *, tolerance: float = 1e-9) -> Parameter:
+def at_length(points: ArrayLike, length: float, method: str = "bracketed_newton", *, weights: ArrayLike | None = None,
+              tolerance: float = 1e-9) -> Parameter:
     """The parameter at which the length from the beginning of a Bezier curve is `length`, up to `tolerance` times the length
     of the curve. A length beyond that of the curve by no more than this, as a computed one may be, is that of the curve."""
-    curve = GivenCurve(points)
+    curve = GivenCurve(points, weights=weights)
     found = ParameterEntry()
     check(library.bb_at_length(method.encode(), curve.pointer, length, tolerance, ctypes.byref(found)))
     return Parameter(found.t, found.error_estimate, found.iterations, bool(found.converged))

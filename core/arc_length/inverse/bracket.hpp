@@ -16,12 +16,12 @@
 
 namespace bezierbench {
 
-template <int Dimension>
+template <class Hodograph>
 class BracketedSearch {
  public:
   static constexpr int iteration_limit = 200;
 
-  BracketedSearch(const Curve<Form::bernstein, double, Dimension>& hodograph, double target, double tolerance)
+  BracketedSearch(const Hodograph& hodograph, double target, double tolerance)
       : part_(hodograph, tolerance), target_(target) {
     const auto& whole = part_.whole();
     high_ = {1, whole.length, whole.error_estimate};
@@ -73,7 +73,7 @@ class BracketedSearch {
     return {place.t, reached(place), iterations_, part_.evaluations(), reached(place) <= allowed_};
   }
 
-  PartLength<Dimension> part_;
+  PartLength<Hodograph> part_;
   double target_;
   double allowed_;
   Place low_;

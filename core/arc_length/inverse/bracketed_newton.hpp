@@ -23,11 +23,10 @@ struct BracketedNewton {
                                    .cost_exponent = 2,
                                    .citation = "[Press et al. 2007], section 9.4"};
 
-  template <int Dimension>
-  static InverseArcLength solve(const Curve<Form::bernstein, double, Dimension>& hodograph, double target,
-                                double tolerance) {
-    Speed<Dimension> speed(hodograph);
-    auto result = BracketedSearch<Dimension>(hodograph, target, tolerance).run([&](double t, double distance) {
+  template <class Hodograph>
+  static InverseArcLength solve(const Hodograph& hodograph, double target, double tolerance) {
+    auto speed = speed_of(hodograph);
+    auto result = BracketedSearch(hodograph, target, tolerance).run([&](double t, double distance) {
       return t - distance / speed(t);
     });
     result.evaluations += speed.evaluations();

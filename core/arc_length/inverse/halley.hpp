@@ -15,6 +15,34 @@
 
 namespace bezierbench {
 
+/// A speed and its derivative.
+struct Pace {
+  double speed;
+  double change;
+};
+
+/// Both at any t.
+template <int Dimension>
+auto pace_of(const Curve<Form::bernstein, double, Dimension>& h) {
+  return [velocity = HornerBernstein::prepare(h), acceleration = HornerBernstein::prepare(hodograph(h, 1))](double t) {
+    const auto v = HornerBernstein::evaluate(velocity, t);
+    const double speed = v.norm();
+    return Pace{speed, v.dot(HornerBernstein::evaluate(acceleration, t)) / speed};
+  };
+}
+
+/// (|U| / W^2)' = (|U|' - 2 |U| W' / W) / W^2.
+template <int Dimension>
+auto pace_of(const RationalPanel<Dimension>& panel) {
+  return [of_vectors = pace_of(panel.h), weight = HornerBernstein::prepare(panel.w),
+          slope = HornerBernstein::prepare(hodograph(panel.w, 1))](double t) {
+    const auto [size, change] = of_vectors(t);
+    const double w = HornerBernstein::evaluate(weight, t)[0];
+    const double of_weight = 2 * size * HornerBernstein::evaluate(slope, t)[0] / w;
+    return Pace{size / (w * w), (change - of_weight) / (w * w)};
+  };
+}
+
 struct Halley {
   static constexpr MethodInfo info{.id = "halley",
                                    .label = "Halley in a bracket",
@@ -25,20 +53,16 @@ struct Halley {
                                    .cost_exponent = 2,
                                    .citation = "[Traub 1964], section 5.2"};
 
-  template <int Dimension>
-  static InverseArcLength solve(const Curve<Form::bernstein, double, Dimension>& hodograph, double target,
-                                double tolerance) {
-    const auto velocity = HornerBernstein::prepare(hodograph);
-    const auto acceleration = HornerBernstein::prepare(bezierbench::hodograph(hodograph, 1));
+  template <class Hodograph>
+  static InverseArcLength solve(const Hodograph& hodograph, double target, double tolerance) {
+    const auto pace = pace_of(hodograph);
     std::int64_t evaluations = 0;
     const auto step = [&](double t, double distance) {
       evaluations += 2;
-      const auto v = HornerBernstein::evaluate(velocity, t);
-      const double speed = v.norm();
-      const double change = v.dot(HornerBernstein::evaluate(acceleration, t)) / speed;
+      const auto [speed, change] = pace(t);
       return t - 2 * distance * speed / (2 * speed * speed - distance * change);
     };
-    auto result = BracketedSearch<Dimension>(hodograph, target, tolerance).run(step);
+    auto result = BracketedSearch(hodograph, target, tolerance).run(step);
     result.evaluations += evaluations;
     return result;
   }

@@ -4,6 +4,7 @@
 
 #include <concepts>
 
+#include "core/arc_length/arc_length.hpp"
 #include "core/arc_length/inverse/kernel.hpp"
 #include "core/curve.hpp"
 #include "core/method.hpp"
@@ -15,7 +16,7 @@ namespace bezierbench {
 /// `target` is finite. A target below 0 gives t = 0, and one above s(1), as a rounded s(1) may be, gives t = 1. The
 /// tolerance applies to the length, not to t: where the speed is 0, the error of the length does not bound that of t.
 template <class M>
-concept InverseArcLengthMethod = requires(const Curve<Form::bernstein, double, 2>& hodograph, double target,
+concept InverseArcLengthMethod = requires(const HodographOf<M::info.form, 2>& hodograph, double target,
                                           double tolerance) {
   requires M::info.problem == Problem::inverse_arc_length;
   { M::solve(hodograph, target, tolerance) } -> std::same_as<InverseArcLength>;

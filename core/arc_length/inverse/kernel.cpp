@@ -13,7 +13,7 @@ namespace {
 
 template <InverseArcLengthMethod M, int Dimension>
 InverseArcLength solve(const CurveView<double>& view, double target, double tolerance) {
-  const auto scaled = scaled_hodograph(instantiate::load<Form::bernstein, Dimension>(view));
+  const auto scaled = scaled_hodograph(instantiate::load<M::info.form, Dimension>(view));
   if (is_zero(scaled.h)) return {.t = 0, .error_estimate = std::abs(target), .converged = target == 0};
   const double scaled_target = scaled.in_units(target);
   InverseArcLength result = M::solve(scaled.h, scaled_target, tolerance);

@@ -9,18 +9,29 @@
 
 #include "core/arc_length/gauss_legendre_adaptive.hpp"
 #include "core/arc_length/part.hpp"
+#include "core/arc_length/rational_hodograph.hpp"
 
 namespace bezierbench {
 
 /// The smallest useful relative tolerance. Below it, roundings dominate the error and more speeds do not reduce it.
 inline constexpr double finest_tolerance = 0x1p-46;
 
-/// Measures parts by adaptive Gauss-Legendre rules and counts the speeds.
+/// A size of parts, no smaller than their mean speed, by which the useless tolerances are known.
 template <int Dimension>
+double size_of_part(const Curve<Form::bernstein, double, Dimension>& part) {
+  return polygon_length(part);
+}
+template <int Dimension>
+double size_of_part(const RationalHodograph<Dimension>& part) {
+  return sensitivity(part);
+}
+
+/// Measures parts by adaptive Gauss-Legendre rules and counts the speeds.
+template <class Hodograph>
 class PartLength {
  public:
   /// `tolerance` is relative to the length of the whole curve; a smaller one than finest_tolerance counts as that.
-  PartLength(const Curve<Form::bernstein, double, Dimension>& hodograph, double tolerance)
+  PartLength(const Hodograph& hodograph, double tolerance)
       : hodograph_(hodograph),
         whole_(GaussLegendreAdaptive::measure(hodograph, std::max(tolerance, finest_tolerance) / 8)),
         share_(std::max(tolerance, finest_tolerance) / 8 * whole_.length),
@@ -42,7 +53,7 @@ class PartLength {
     auto part = hodograph_;
     restrict_to(part, a, b);
     auto result =
-        GaussLegendreAdaptive::measure_within(part, std::max(share_, finest_tolerance / 8 * polygon_length(part)));
+        GaussLegendreAdaptive::measure_within(part, std::max(share_, finest_tolerance / 8 * size_of_part(part)));
     evaluations_ += result.evaluations;
     result.length *= width;
     // The products with the width and with u may underflow, those of the length and of the two errors.
@@ -55,7 +66,7 @@ class PartLength {
   [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
 
  private:
-  Curve<Form::bernstein, double, Dimension> hodograph_;
+  Hodograph hodograph_;
   ArcLength whole_;
   double share_;
   std::int64_t evaluations_;

@@ -7,10 +7,12 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
 #include "core/evaluate/evaluation_test.hpp"
+#include "reference/companion/pole.hpp"
 #include "reference/length/length_along.hpp"
 
 namespace bezierbench {
@@ -24,8 +26,19 @@ CurveView<double> view(const Points& points, int dimension = 2) {
   return {Form::bernstein, dimension, static_cast<int>(points.size()) / dimension - 1, points};
 }
 
-const InverseArcLengthKernel& kernel_of(const MethodInfo& info, int dimension = 2) {
+std::vector<InverseArcLengthKernel> methods_of(Form form, int dimension) {
+  std::vector<InverseArcLengthKernel> methods;
   for (const auto& kernel : inverse_arc_length_kernels(dimension))
+    if (kernel.info->form == form) methods.push_back(kernel);
+  return methods;
+}
+
+std::vector<InverseArcLengthKernel> methods_of_polynomials(int dimension) {
+  return methods_of(Form::bernstein, dimension);
+}
+
+InverseArcLengthKernel kernel_of(const MethodInfo& info, int dimension = 2) {
+  for (const auto& kernel : methods_of_polynomials(dimension))
     if (kernel.info->id == info.id) return kernel;
   throw std::out_of_range("no such method");
 }
@@ -69,7 +82,7 @@ TEST(InverseArcLength, KeepsItsToleranceOrSaysSo) {
       for (const double share : {0.0, 1e-9, 0.1, 0.3, 0.5, 0.77, 1 - 1e-9, 1.0})
         for (const double tolerance : {1e-2, 1e-4, 1e-9, 1e-12, 1e-15}) {
           const double target = LongReal(share * truth.whole()).convert_to<double>();
-          for (const auto& kernel : inverse_arc_length_kernels(curve.dimension)) {
+          for (const auto& kernel : methods_of_polynomials(curve.dimension)) {
             const auto result = kernel.solve(view(points, curve.dimension), target, tolerance);
             const auto what = std::string(kernel.info->id) + ", " + curve.name + ", share " + std::to_string(share) +
                               ", tolerance " + std::to_string(std::log10(tolerance)) + ", 2^" +
@@ -86,11 +99,60 @@ TEST(InverseArcLength, KeepsItsToleranceOrSaysSo) {
     }
 }
 
+/// The circle ((1 - t^2) / (1 + t^2), 2t / (1 + t^2)) reaches the angle a at tan(a / 2), whatever its size and weights.
+TEST(InverseArcLength, OfTheQuarterCircleIsATangent) {
+  EXPECT_GE(methods_of(Form::rational, 2).size(), 2U);
+  for (const auto& kernel : methods_of(Form::rational, 2))
+    for (const double size : {0x1p-900, 1.0, 0x1p+900}) {
+      const Points points{size, 0, size, size, 0, size};
+      const Points weights{-0x1p-30, -0x1p-30, -0x1p-29};
+      for (const double angle : {0.0, 1e-9, 0.1, 0.7, 1.5, 1.57}) {
+        const auto found = kernel.solve({Form::rational, 2, 2, points, weights}, angle * size, 1e-12);
+        EXPECT_TRUE(found.converged) << kernel.info->id << " " << angle;
+        EXPECT_NEAR(found.t, std::tan(angle / 2), 1e-11) << kernel.info->id;
+      }
+    }
+}
+
+/// Random rational curves, some of weights over forty binades, some of both signs.
+TEST(InverseArcLength, OfRationalCurvesKeepsItsToleranceOrSaysSo) {
+  Inputs inputs(9);
+  int converged = 0;
+  int trials = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const int n = 2 + trial % 4;
+    Points points;
+    Points weights;
+    for (int i = 0; i <= n; ++i) {
+      points.insert(points.end(), {inputs.symmetric(), inputs.symmetric()});
+      const double inner =
+          trial % 3 == 1 ? std::ldexp(1.0, static_cast<int>(20 * inputs.symmetric())) : inputs.symmetric() / n;
+      weights.push_back(i == 0 || i == n || trial % 3 == 0 ? 1 + inputs.unit() : inner);
+    }
+    const CurveView<double> curve{Form::rational, 2, n, points, weights};
+    if (reference::pole(curve)) continue;
+    const LengthAlong truth(curve);
+    for (const double tolerance : {1e-3, 1e-9, 1e-12})
+      for (const auto& kernel : methods_of(Form::rational, 2)) {
+        const double target = LongReal(inputs.unit() * truth.whole()).convert_to<double>();
+        const auto found = kernel.solve(curve, target, tolerance);
+        const double error = LongReal(length_error(truth, found.t, target) * truth.whole()).convert_to<double>();
+        EXPECT_LE(error, found.error_estimate) << kernel.info->id << " " << trial;
+        EXPECT_FALSE(found.converged && error > tolerance * (1 + 1e-9) * truth.whole())
+            << kernel.info->id << " " << trial;
+        ++trials;
+        converged += found.converged ? 1 : 0;
+      }
+  }
+  EXPECT_GT(trials, 100);
+  EXPECT_GT(converged, trials / 2);
+}
+
 TEST(InverseArcLength, EndsWhereRoundingPermitsNoMore) {
   Points large = sharp;
   for (double& value : large) value *= 5e7;  // a length near 1e8: 1e-9 of a unit is 1e-17 of it
   const LengthAlong truth(view(large));
-  for (const auto& kernel : inverse_arc_length_kernels(2)) {
+  for (const auto& kernel : methods_of_polynomials(2)) {
     const auto result = kernel.solve(view(large), 0.3e8, 1e-17);
     EXPECT_FALSE(result.converged) << kernel.info->id;
     EXPECT_LE(result.evaluations, 60000) << kernel.info->id;
@@ -104,7 +166,7 @@ TEST(InverseArcLength, EndsWhereRoundingPermitsNoMore) {
 
 TEST(InverseArcLength, OfAPointIsItsBeginning) {
   const Points point{0.1, 0.2, 0.1, 0.2, 0.1, 0.2};
-  for (const auto& kernel : inverse_arc_length_kernels(2)) {
+  for (const auto& kernel : methods_of_polynomials(2)) {
     const auto result = kernel.solve(view(point), 0, 1e-9);
     EXPECT_TRUE(result.converged && result.t == 0 && result.iterations == 0) << kernel.info->id;
     EXPECT_FALSE(kernel.solve(view(point), 1, 1e-9).converged) << kernel.info->id;
@@ -112,7 +174,7 @@ TEST(InverseArcLength, OfAPointIsItsBeginning) {
 }
 
 TEST(InverseArcLength, ALengthBeyondTheCurveIsNotReached) {
-  for (const auto& kernel : inverse_arc_length_kernels(2))
+  for (const auto& kernel : methods_of_polynomials(2))
     for (const double target : {-1.0, 1e3, 1e300}) {
       const auto result = kernel.solve(view(cusp), target, 1e-9);
       EXPECT_FALSE(result.converged) << kernel.info->id << " " << target;
@@ -127,7 +189,7 @@ TEST(InverseArcLength, ALengthBeyondTheCurveIsNotReached) {
 TEST(InverseArcLength, IsThatOfTheDifferences) {
   const double target = 1.5e-30;
   for (const double far : {1e300, 1.7e308, 0.0})
-    for (const auto& kernel : inverse_arc_length_kernels(2)) {
+    for (const auto& kernel : methods_of_polynomials(2)) {
       const auto result = kernel.solve(view({far, 0, far, 1e-30, far, 3e-30}), target, 1e-4);
       EXPECT_TRUE(result.converged) << kernel.info->id << " " << far;
       EXPECT_NEAR((2 + result.t) * result.t, 1.5, 3e-4) << kernel.info->id << " " << far;
@@ -144,7 +206,7 @@ TEST(InverseArcLength, KeepsItsToleranceOnThinCurves) {
     const LengthAlong truth(given);
     for (int part = 1; part < 40; ++part) {
       const double target = LongReal(truth.whole() * part / 40).convert_to<double>();
-      for (const auto& kernel : inverse_arc_length_kernels(curve.dimension))
+      for (const auto& kernel : methods_of_polynomials(curve.dimension))
         for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12}) {
           const auto result = kernel.solve(given, target, tolerance);
           EXPECT_TRUE(!result.converged || length_error(truth, result.t, target) <= tolerance * (1 + 1e-9))
@@ -245,7 +307,7 @@ TEST(InverseArcLength, EstimatesWhatUnderflows) {
   for (const int size : {0, 500, 1000})
     for (const double target : {0x1p-1074, 0x5p-1074, 0x1.8p-1060, 1e-310, 1e-100}) {
       const std::vector<double> line{0, std::ldexp(3, size)};
-      for (const auto& kernel : inverse_arc_length_kernels(1)) {
+      for (const auto& kernel : methods_of_polynomials(1)) {
         const auto result = kernel.solve({Form::bernstein, 1, 1, line}, target, 1e-9);
         if (std::isnan(result.error_estimate)) continue;
         const reference::LongReal error = abs(reference::LongReal(result.t) * line[1] - reference::LongReal(target));

@@ -37,7 +37,7 @@ struct Seed000Newton {
   template <int Dimension>
   static InverseArcLength solve(const Curve<Form::bernstein, double, Dimension>& hodograph, double target,
                                 double tolerance) {
-    PartLength<Dimension> part(hodograph, tolerance);
+    PartLength part(hodograph, tolerance);
     const auto velocity = HornerBernstein::prepare(hodograph);
     const auto acceleration = HornerBernstein::prepare(bezierbench::hodograph(hodograph, 1));
     const auto& whole = part.whole();

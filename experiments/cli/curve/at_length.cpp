@@ -82,6 +82,7 @@ struct MeasuredSegment {
 
 MeasuredSegment measured_segment(const CurveCase<InverseArcLengthKernel>& one, const TruthOption& truth) {
   MeasuredSegment segment{one.curve.view(), {}, {}};
+  refuse_pole(segment.curve, 0, 1, one.name);
   try {
     const bool finished =
         truth.finishes(one.name, segment.curve.degree, [&] { segment.lengths.emplace(segment.curve); });

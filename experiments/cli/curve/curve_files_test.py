@@ -138,7 +138,8 @@ class CurveFiles(Case):
         found = rows(self.fine("curve", "spaced", "--path", "M0,0 L3,4", "--count", "3"))
         self.assertEqual([list(row.values()) for row in found], [["0:0:0", "0", "0", "0", "0", "0"], ["0:0:0", "1", "0.5", "2.5", "1.5", "2"],
                                                                  ["0:0:0", "2", "1", "5", "3", "4"]])
-        self.refused(USAGE, ["curve", "spaced", "--curve", "logo.svg#dot", "--count", "3"], "logo.svg#dot", "rational")
+        spaced = rows(self.fine("curve", "spaced", "--curve", "logo.svg#dot", "--count", "3", "--whole-path"))
+        self.assertEqual([(row["x"], row["y"]) for row in spaced], [("2", "0"), ("-2", "0"), ("2", "0")])
         self.refused(USAGE, ["curve", "spaced", "--path", "M0,0 L3,4", "--count", "1"], "--count")
 
 

@@ -351,6 +351,12 @@ class Curves(Case):
         self.assertNotEqual(exact, "1.57079632679489661923132169164")  # the weight is rounded
         self.write("p.csv", "x,y,w\n1,0,1\n1,1,-1\n0,1,1\n")
         self.refused(USAGE, ["curve", "length", "--curve", "p.csv"], "p.csv", "pole", "t = 0.5")
+        for row in rows(self.fine("curve", "at-length", "--curve", "q.csv", "--fraction", "0.5")):
+            self.assertAlmostEqual(float(row["exact_t"]), math.sqrt(2) - 1, 15)  # tan(pi / 8)
+        spaced = rows(self.fine("curve", "spaced", "--curve", "q.csv", "--count", "4"))
+        self.assertAlmostEqual(float(spaced[1]["y"]), 0.5, 15)  # a third of the way is at 30 degrees
+        for question in (["at-length", "--fraction", "0.5"], ["spaced", "--count", "3"]):
+            self.refused(USAGE, ["curve", question[0], "--curve", "p.csv", *question[1:]], "p.csv", "pole", "t = 0.5")
         for part in (["--to", "0.25"], ["--from", "0.75"]):
             self.assertTrue(rows(self.fine("curve", "length", "--curve", "p.csv", *part))[0]["exact"])
 

@@ -137,7 +137,7 @@ class PublicReports(Case):
 
     def case_hint_convert(self, case):
         self.curve(case)
-        for command in (["at-length", "--fraction", "0.5"], ["grid", "--points", "3"], ["project", "--point", "0,0"]):
+        for command in (["grid", "--points", "3"], ["project", "--point", "0,0"]):
             result = self.refused(USAGE, ["curve", command[0], "--curve", "c.csv", *command[1:]], "rational")
             self.assertNotRegex(result.stderr.decode(), "curve convert|leave.*out")
 

@@ -23,10 +23,9 @@ struct SpacedSegment {
 std::vector<SpacedSegment> spaced_segments(std::span<const CurveFile> curves, const std::string& name) {
   std::vector<SpacedSegment> segments;
   for (const auto& curve : curves) {
-    if (curve.form != Form::bernstein)
-      throw Failure(Exit::usage,
-                    "{}: is in {} form; lengths are those of curves in bernstein form, so choose others with FILE#ID{}",
-                    name, bezierbench::name(curve.form), curve.form == Form::power ? ", or see `curve convert`" : "");
+    if (curve.form == Form::power)
+      throw Failure(Exit::usage, "{}: is in power form, whose lengths are not computed; see `curve convert`", name);
+    refuse_pole(curve.view(), 0, 1, name);
     try {
       segments.push_back({&curve, reference::LengthAlong<LongReal>(curve.view())});
     } catch (const reference::NotCertain& error) {

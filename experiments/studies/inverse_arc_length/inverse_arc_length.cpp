@@ -10,6 +10,7 @@
 #include "experiments/studies/inverse_arc_length/problem.hpp"
 #include "experiments/studies/trial/companion_kind.hpp"
 #include "experiments/suite/kind.hpp"
+#include "reference/companion/pole.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/length/length_along.hpp"
 #include "reference/rational.hpp"
@@ -38,7 +39,8 @@ void add_spacing(tables::Tables& tables, const suite::Study& study, const sample
   const auto of = tables::drawn_fields(cell);
   sample::Trial drawn;
   sample::Sampler(seed, study.id, cell).draw(0, drawn);
-  const CurveView<double> curve{Form::bernstein, cell.dimension, cell.degree, drawn.coefficients};
+  const CurveView<double> curve{study.form, cell.dimension, cell.degree, drawn.coefficients, drawn.weights};
+  if (reference::pole(curve)) return;
   const reference::LengthAlong<LongReal> lengths(curve);
   reference::ExactCurve exact;
   for (const auto& [id, steps, by_length, measured] : spacings) {
@@ -72,12 +74,15 @@ void add_spacing(tables::Tables& tables, const suite::Study& study, const sample
 
 void InverseArcLengthProblem::draw(std::uint64_t number, Drawn& drawn) const {
   curves_.draw(number, drawn);
+  drawn.truth.reset();
+  if (reference::pole(drawn.curve)) return;
   drawn.truth.emplace(drawn.curve, tier_);
   drawn.target = drawn.truth->length_at_share(drawn.trial.t);
 }
 
 void InverseArcLengthProblem::judge(const Kernel& /*method*/, Drawn& drawn, double tolerance, const Answer& answer,
                                     std::uint64_t number, Errors& errors) {
+  if (!drawn.truth) return;  // a pole
   errors.promises.add(answer.converged, answer.evaluations);
   errors.iterations.add(static_cast<double>(answer.iterations));
   if (!std::isfinite(answer.t)) {
@@ -95,6 +100,7 @@ void InverseArcLengthProblem::judge(const Kernel& /*method*/, Drawn& drawn, doub
 
 bool InverseArcLengthProblem::is_right(const Kernel& /*method*/, const Drawn& drawn, double tolerance,
                                        const Answer& answer) {
+  if (!drawn.truth) return true;
   if (!std::isfinite(answer.t)) return false;
   const double error = drawn.truth->error_of_length(answer.t, drawn.target, metric::to_24_bits);
   return Promises::keeps(error, tolerance * drawn.truth->whole());
@@ -116,8 +122,8 @@ extern constexpr StudyKind inverse_arc_length_kind = companion_kind<InverseArcLe
      .about = "errors of the parameter at a length, and whether tolerances are kept",
      .own = inverse_arc_length_fields,
      .methods_example = "[\"bracketed_newton\"]",
-     .inputs = {.forms = suite::bernstein_form,
-                .forms_reason = "lengths are those of polynomial Bezier curves",
+     .inputs = {.forms = suite::forms_with_control_points,
+                .forms_reason = "lengths are those of Bezier curves",
                 .double_only = true,
                 .parameters = suite::Parameters::from_0_to_1,
                 .parameters_reason = "the share of the length at which t is sought"},

@@ -54,8 +54,8 @@ class InverseArcLengthProblem {
   using Errors = ParameterErrors;
   using Row = TrialRow<Kernel, Errors>;
   struct Drawn : judge::DrawnCurve {
-    std::optional<reference::AlongTruth> truth;
-    double target = 0;  ///< the length to find the parameter of
+    std::optional<reference::AlongTruth> truth;  ///< empty for a rational curve with a pole
+    double target = 0;                           ///< the length to find the parameter of
   };
 
   static constexpr std::array case_columns{judge::case_column::tolerance};

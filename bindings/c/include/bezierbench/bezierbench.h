@@ -262,7 +262,8 @@ typedef struct bb_parameter {
 } bb_parameter;
 
 /* The parameter at which the length from the beginning is `length`, up to `tolerance` > 0 times the length of the curve.
- * A length that exceeds that of the curve by no more than the tolerance, as a computed one may, is that of the curve. */
+ * A length that exceeds that of the curve by no more than the tolerance, as a computed one may, is that of the curve.
+ * BB_ERROR_NO_POINT where a rational curve has a pole in [0, 1]. */
 BB_API int bb_at_length(const char* method, const bb_curve* curve, double length, double tolerance,
                         bb_parameter* found);
 
