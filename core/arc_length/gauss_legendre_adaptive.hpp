@@ -25,6 +25,7 @@
 #include "core/arc_length/speed.hpp"
 #include "core/arc_length/squared_speeds.hpp"
 #include "core/powers.hpp"
+#include "core/vector/vectors.hpp"
 
 namespace bezierbench {
 
@@ -80,7 +81,7 @@ template <int Dimension>
 ProvedRule proved_rule(const ChebyshevSeries<Dimension>& h, double cut, double allowed,
                        const ChebyshevSeries<1>* weight = nullptr) {
   using detail::ellipses;
-  using Lanes [[gnu::vector_size(4 * sizeof(double))]] = double;  // one for each rule, and one that is not used
+  using Lanes = VectorOf<double, 4>;  // one for each rule, and one that is not used
   const double allowed_of_rule = allowed - 2 * cut;
   const double limit = h.size(0) * (1 - 0x1p-20);
   const double largest = 2 * h.size(0);

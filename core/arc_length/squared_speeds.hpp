@@ -15,6 +15,7 @@
 #include <span>
 
 #include "core/curve.hpp"
+#include "core/vector/vectors.hpp"
 
 namespace bezierbench {
 
@@ -43,8 +44,7 @@ class SquaredSpeeds {
   }
 
  private:
-  /// Four numbers in a row, a vector extension of the compiler.
-  using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
+  using Four = VectorOf<double, 4>;
 
   template <int Degree>
   static Eight at_fixed_degree(const Curve<Form::bernstein, double, Dimension, Degree>& h,

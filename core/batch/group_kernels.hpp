@@ -3,7 +3,7 @@
 // compiled for.
 #pragma once
 
-#include "core/batch/lane_curve.hpp"
+#include "core/batch/lanes.hpp"
 #include "core/batch/roster.hpp"
 #include "core/batch/target_table.hpp"
 #include "core/batch/targets.hpp"
@@ -13,7 +13,7 @@ namespace bezierbench::batch::HWY_NAMESPACE {
 /// The number of vectors that a group has, but at most two, so that the methods' arrays of them stay in the first
 /// cache.
 template <class S>
-using GroupLanes = Lanes<S, (2 * Lanes<S, 1>::size <= curves_at_once ? 2 : 1), Curves::each>;
+using GroupLanes = Lanes<S, (2 * Lanes<S, 1>::size <= curves_at_once ? 2 : 1), Held::by_value>;
 
 /// As many curves of a group as a vector has lanes. `others` is the number of axes that are skipped after each control
 /// point.

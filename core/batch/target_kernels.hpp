@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/batch/lane_curve.hpp"
+#include "core/batch/lanes.hpp"
 #include "core/batch/roster.hpp"
 #include "core/batch/target_table.hpp"
 #include "core/batch/targets.hpp"
@@ -63,7 +63,7 @@ constexpr int unrolled_vectors(int degree) { return 2 * (degree + 1) < 16 ? 2 : 
 template <class E, class S, int Dimension, int Degree>
 [[gnu::flatten, gnu::noinline]] std::size_t evaluate_unrolled(const Parts& parts, const S* t, std::size_t count,
                                                               S* points) {
-  using L = Lanes<S, unrolled_vectors(Degree), Curves::each>;
+  using L = Lanes<S, unrolled_vectors(Degree), Held::by_value>;
   const auto curve = spread<L, Dimension, Degree>(parts);
   std::size_t k = 0;
   for (; k + L::size <= count; k += L::size) {

@@ -23,6 +23,12 @@ Point<Scalar, Lifted - 1> over_last(const Point<Scalar, Lifted>& lifted) {
   return point;
 }
 
+/// Of one vector, in whose last lane the division leaves a number that nothing reads.
+template <class V>
+requires(V::axes > 1) Point<V, 1> over_last(const Point<V, 1>& lifted) {
+  return Point<V, 1>(lifted[0] / V(lifted[0].lane(V::axes - 1)));
+}
+
 /// Has the member `largest_fixed_degree` if the method declares one, and no member if it does not.
 template <class Method>
 struct FixedDegreesOf {};

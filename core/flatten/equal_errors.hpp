@@ -29,6 +29,7 @@
 #include <cstring>
 
 #include "core/flatten/flattening.hpp"
+#include "core/vector/vectors.hpp"
 
 namespace bezierbench {
 
@@ -287,7 +288,7 @@ struct EqualErrors {
 
     /// The t at these parts of the shares' total, in fours.
     static void place(const Division& old, const double* parts, std::size_t size, Steps& to) {
-      using Four [[gnu::vector_size(32)]] = double;
+      using Four = VectorOf<double, 4>;
       const double* const t = &old.steps->t[old.begin];
       const double* const share = &old.steps->share[old.begin];
       const std::size_t n = at(old.count);

@@ -12,6 +12,7 @@
 
 #include "core/binomial.hpp"
 #include "core/project/polygon.hpp"
+#include "core/vector/vectors.hpp"
 
 namespace bezierbench {
 
@@ -43,8 +44,7 @@ class WrittenOutProduct {
   }
 
  private:
-  /// Four numbers in a row, a vector extension of the compiler.
-  using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
+  using Four = VectorOf<double, 4>;
 
   template <class Element>
   static Four first_of(const Element& element) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a formula needs to run on a number or on many lanes of numbers with the same text: choices between values, and
-// access to a lane. core/batch/lanes.hpp has the same functions for lanes.
+// access to a lane.
+// core/vector/vectors.hpp has the same functions for vectors.
 #pragma once
 
 #include <bit>
@@ -24,8 +25,11 @@ constexpr bool all_of(bool condition) { return condition; }
 /// True where a choice is the first one in some lane.
 constexpr bool any_of(bool condition) { return condition; }
 
-/// The value of a lane; a scalar is the only lane.
+/// The value of a lane; a number is the only lane.
 constexpr double lane_of(double value, std::size_t /*lane*/) { return value; }
+template <class V>
+requires requires { V::axes; }
+auto lane_of(const V& value, std::size_t lane) { return value.lane(static_cast<int>(lane)); }
 
 /// `value` in the lanes where `condition` holds, `otherwise(lane)` in the others.
 template <class Otherwise>

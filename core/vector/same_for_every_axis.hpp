@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Methods that read a curve where it lies, without a copy, and the curves that they read then.
+// Methods that read a curve where it lies, without a copy.
 #pragma once
 
-#include <cstddef>
 #include <type_traits>
 
 #include "core/curve.hpp"
@@ -23,27 +22,5 @@ inline constexpr int viewed = -2;
 /// Degree of what is computed from a curve and owns its storage: dynamic for a view.
 template <int Degree>
 inline constexpr int computed_degree = Degree == viewed ? dynamic : Degree;
-
-/// A view of coefficients that lie point by point.
-template <Form F, class ScalarT, int DimensionT>
-class Curve<F, ScalarT, DimensionT, viewed> {
- public:
-  using Scalar = ScalarT;
-  static constexpr Form form = F;
-  static constexpr int dimension = DimensionT;
-  static constexpr int fixed_degree = dynamic;
-
-  Curve(const Scalar* first, int degree) : first_(first), degree_(degree) {}
-
-  [[nodiscard]] int degree() const { return degree_; }
-  [[nodiscard]] Scalar operator()(int axis, int i) const {
-    return first_[static_cast<std::ptrdiff_t>(i) * DimensionT + axis];
-  }
-  [[nodiscard]] Scalar from_end(int axis, int k) const { return (*this)(axis, degree_ - k); }
-
- private:
-  const Scalar* first_;
-  int degree_;
-};
 
 }  // namespace bezierbench

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Views of what a method prepared for one curve, for a scalar that stands for several numbers: a coefficient is read as
-// one such scalar. Nothing is copied.
+// Views of a curve, and of what a method prepared for one: a coefficient is read as a scalar, which may stand for
+// several numbers. Nothing is copied.
 #pragma once
 
 #include <concepts>
@@ -10,8 +10,7 @@
 
 namespace bezierbench {
 
-/// A scalar whose curves are views of plain numbers. One V holds `V::axes` coordinates of a point: `V::read(first)`
-/// reads that many numbers, and `V(value)` has one number in all its lanes.
+/// A scalar whose curves are views of plain numbers.
 template <class V>
 concept ReadsCurves = requires(const typename V::Scalar* coordinates) {
   requires V::reads_curves;
@@ -19,33 +18,66 @@ concept ReadsCurves = requires(const typename V::Scalar* coordinates) {
   V::axes;
 };
 
-/// A view of one curve. Its `DimensionT` counts the scalars that a point has.
-template <Form F, ReadsCurves V, int DimensionT, int DegreeT>
-class Curve<F, V, DimensionT, DegreeT> {
- public:
-  using Scalar = V;
+namespace detail {
+
+/// How a scalar is read: a number as it is, and of a vector scalar V `V::axes` coordinates by `V::read`.
+template <class ScalarT>
+struct Reading {
+  using Number = ScalarT;
+  static constexpr int axes = 1;
+  static ScalarT read(const Number* first) { return *first; }
+};
+template <class V>
+requires requires { V::axes; }
+struct Reading<V> {
   using Number = typename V::Scalar;
+  static constexpr int axes = V::axes;
+  [[gnu::always_inline]] static V read(const Number* first) { return V::read(first); }
+};
+
+/// A view of numbers that lie point by point. `DimensionT` counts the scalars that a point has.
+template <Form F, class ScalarT, int DimensionT, int DegreeT>
+class CurveInMemory {
+  using Read = Reading<ScalarT>;
+
+ public:
+  using Scalar = ScalarT;
+  using Number = typename Read::Number;
   static constexpr Form form = F;
   static constexpr int dimension = DimensionT;
   static constexpr int fixed_degree = DegreeT;
 
-  [[gnu::always_inline]] Curve(const Number* first, int degree) : first_(first), degree_(degree) {}
+  [[gnu::always_inline]] CurveInMemory(const Number* first, int degree) : first_(first), degree_(degree) {}
 
   [[nodiscard, gnu::always_inline]] int degree() const { return DegreeT == dynamic ? degree_ : DegreeT; }
-  [[nodiscard, gnu::always_inline]] V operator()(int axis, int i) const {
-    return V::read(first_ + static_cast<std::ptrdiff_t>(i * DimensionT + axis) * V::axes);
+  [[nodiscard, gnu::always_inline]] Scalar operator()(int axis, int i) const {
+    return Read::read(first_ + static_cast<std::ptrdiff_t>(i * DimensionT + axis) * Read::axes);
   }
   /// Coefficient degree() - k. Its address is that of the last one less a constant where k is one: compilers would
   /// compute the addresses of degree() - 0, degree() - 1, ... all in advance, for every call.
-  [[nodiscard, gnu::always_inline]] V from_end(int axis, int k) const {
-    const Number* const last = first_ + static_cast<std::ptrdiff_t>(degree()) * DimensionT * V::axes;
-    return V::read(last + static_cast<std::ptrdiff_t>(axis - k * DimensionT) * V::axes);
+  [[nodiscard, gnu::always_inline]] Scalar from_end(int axis, int k) const {
+    const Number* const last = first_ + static_cast<std::ptrdiff_t>(degree()) * DimensionT * Read::axes;
+    return Read::read(last + static_cast<std::ptrdiff_t>(axis - k * DimensionT) * Read::axes);
   }
   [[nodiscard, gnu::always_inline]] const Number* data() const { return first_; }
 
  private:
   const Number* first_;
   int degree_;
+};
+
+}  // namespace detail
+
+/// A curve of a prepared state, all numbers of a coefficient read at once.
+template <Form F, ReadsCurves V, int DimensionT, int DegreeT>
+class Curve<F, V, DimensionT, DegreeT> : public detail::CurveInMemory<F, V, DimensionT, DegreeT> {
+  using detail::CurveInMemory<F, V, DimensionT, DegreeT>::CurveInMemory;
+};
+
+/// A curve as it is given.
+template <Form F, class ScalarT, int DimensionT>
+class Curve<F, ScalarT, DimensionT, viewed> : public detail::CurveInMemory<F, ScalarT, DimensionT, dynamic> {
+  using detail::CurveInMemory<F, ScalarT, DimensionT, dynamic>::CurveInMemory;
 };
 
 /// Room for the coefficients of a view.

@@ -27,6 +27,7 @@
 
 #include "core/evaluate/methods/compensated_volk_schumaker.hpp"
 #include "core/vector/lane_choice.hpp"
+#include "core/vector/shared.hpp"
 
 namespace bezierbench {
 
@@ -130,24 +131,24 @@ Point<Scalar, Dimension> evaluate_barycentric(const Barycentric<Scalar, Dimensio
   const int n = prepared.values.degree();
   Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
   Scalar denominator(0);
-  auto at_some_node = at_node(Scalar(1));  // in no lane
+  bool at_some_node = false;
   for (int j = 0; j <= n; ++j) {
     const Scalar distance = t - prepared.nodes[j];
-    const auto at_this_node = at_node(distance);
+    const auto at_this_node = at_node(parameter_of(distance));
     if (all_of(at_this_node)) {
       for (int axis = 0; axis < Dimension; ++axis) sum[axis] = prepared.values(axis, j);
       return sum;
     }
-    at_some_node = either(at_some_node, at_this_node);
+    at_some_node |= any_of(at_this_node);
     const Scalar quotient = prepared.weights[j] / distance;
     denominator += quotient;
     for (int axis = 0; axis < Dimension; ++axis) sum[axis] += quotient * prepared.values(axis, j);
   }
   for (int axis = 0; axis < Dimension; ++axis) sum[axis] = sum[axis] / denominator;
-  if (!any_of(at_some_node)) return sum;
+  if (!at_some_node) return sum;
   for (int j = 0; j <= n; ++j) {
     const Scalar distance = t - prepared.nodes[j];
-    const auto at_this_node = at_node(distance);
+    const auto at_this_node = at_node(parameter_of(distance));
     for (int axis = 0; axis < Dimension; ++axis) sum[axis] = select(at_this_node, prepared.values(axis, j), sum[axis]);
   }
   return sum;

@@ -9,6 +9,7 @@
 
 #include "core/evaluate/evaluator.hpp"
 #include "core/vector/lane_choice.hpp"
+#include "core/vector/vectors.hpp"
 #include "core/vector/view.hpp"
 
 namespace bezierbench {
@@ -71,11 +72,51 @@ Curve<Form::bernstein, Scalar, Dimension, Degree> reversed(
   return backwards;
 }
 
+/// The template argument `Degree` of a curve that is, in each lane, one of two, of a degree that is known at run time.
+inline constexpr int one_of_two = -3;
+
+template <Form F, class V, int DimensionT>
+class Curve<F, V, DimensionT, one_of_two> {
+ public:
+  using Scalar = V;
+  using Either = Curve<F, V, DimensionT>;
+  static constexpr Form form = F;
+  static constexpr int dimension = DimensionT;
+  static constexpr int fixed_degree = dynamic;
+
+  [[gnu::always_inline]] Curve(const typename V::Mask& is_first, const Either& first, const Either& second)
+      : is_first_(is_first), first_(first), second_(second) {}
+
+  [[nodiscard, gnu::always_inline]] int degree() const { return first_.degree(); }
+  [[nodiscard, gnu::always_inline]] V operator()(int axis, int i) const {
+    return select(is_first_, first_(axis, i), second_(axis, i));
+  }
+  [[nodiscard, gnu::always_inline]] V from_end(int axis, int k) const { return (*this)(axis, degree() - k); }
+
+ private:
+  const typename V::Mask& is_first_;  // compilers copy it in pieces of a few bytes
+  const Either& first_;
+  const Either& second_;
+};
+
 /// Of two curves of the same degree the first, or the second.
 template <Form F, class Scalar, int Dimension, int Degree>
 const Curve<F, Scalar, Dimension, Degree>& chosen(bool is_first, const Curve<F, Scalar, Dimension, Degree>& first,
                                                   const Curve<F, Scalar, Dimension, Degree>& second) {
   return is_first ? first : second;
+}
+/// Of two views without a branch: which it is, no processor can guess for t at random.
+template <Form F, ReadsCurves V, int Dimension, int Degree>
+Curve<F, V, Dimension, Degree> chosen(bool is_first, const Curve<F, V, Dimension, Degree>& first,
+                                      const Curve<F, V, Dimension, Degree>& second) {
+  const typename V::Scalar* const places[] = {second.data(), first.data()};
+  return {places[is_first ? 1 : 0], first.degree()};
+}
+template <Form F, class Kind, Held held, int Dimension, int Degree>
+[[gnu::always_inline]] inline Curve<F, Vectors<Kind, held>, Dimension, one_of_two> chosen(
+    const typename Vectors<Kind, held>::Mask& is_first, const Curve<F, Vectors<Kind, held>, Dimension, Degree>& first,
+    const Curve<F, Vectors<Kind, held>, Dimension, Degree>& second) {
+  return {is_first, first, second};
 }
 
 }  // namespace bezierbench

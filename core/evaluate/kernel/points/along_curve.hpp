@@ -9,7 +9,7 @@
 #include <array>
 #include <cstddef>
 
-#include "core/evaluate/kernel/points/axes_curve.hpp"
+#include "core/evaluate/kernel/points/axes.hpp"
 #include "core/evaluate/methods/de_casteljau_farin.hpp"
 #include "core/evaluate/schemes/compensated_triangle.hpp"
 
@@ -29,10 +29,10 @@ inline constexpr bool fills_vectors = Degree == dynamic || Degree == 3;
 /// The first `count` values, and 0 in the other lanes.
 template <class V, class S>
 V load_first(const S* values, int count) {
-  if (count >= V::lanes) return V::load_all(values);
-  S first[V::lanes] = {};
+  if (count >= V::Kind::lanes) return V::load(values);
+  S first[V::Kind::lanes] = {};
   std::copy_n(values, std::max(count, 0), first);
-  return V::load_all(first);
+  return V::load(first);
 }
 
 /// The top of a triangle whose values are `Size` numbers. rows[k] has the k-th number of each value of the bottom
@@ -40,13 +40,13 @@ V load_first(const S* values, int count) {
 template <class S, int Degree, std::size_t Size, class Step>
 std::array<S, Size> apex_along_curve(int n, const std::array<const S*, Size>& rows, const Step& step) {
   using V = AlongCurve<S, Degree>;
-  constexpr int most = (Degree == dynamic ? max_degree : Degree) / V::lanes + 2;
+  constexpr int most = (Degree == dynamic ? max_degree : Degree) / V::Kind::lanes + 2;
   V b[Size][most];
   for (std::size_t k = 0; k < Size; ++k)
-    for (int i = 0; i <= n + V::lanes; i += V::lanes)
-      b[k][i / V::lanes] = rows[k] == nullptr ? V(S(0)) : load_first<V>(rows[k] + i, n + 1 - i);
+    for (int i = 0; i <= n + V::Kind::lanes; i += V::Kind::lanes)
+      b[k][i / V::Kind::lanes] = rows[k] == nullptr ? V(S(0)) : load_first<V>(rows[k] + i, n + 1 - i);
   for (int count = n; count > 0; --count)
-    for (int i = 0; i * V::lanes < count; ++i) {
+    for (int i = 0; i * V::Kind::lanes < count; ++i) {
       std::array<V, Size> left;
       std::array<V, Size> right;
       for (std::size_t k = 0; k < Size; ++k) {

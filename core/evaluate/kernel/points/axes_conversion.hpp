@@ -3,33 +3,12 @@
 // is written.
 #pragma once
 
-#include <cstddef>
 #include <tuple>
 
 #include "core/evaluate/kernel/points/axes.hpp"
-#include "core/vector/same_for_every_axis.hpp"
+#include "core/vector/view.hpp"
 
 namespace bezierbench {
-
-/// A view of coefficients that lie point by point, all axes of one read as one scalar.
-template <Form F, class S, int DimensionT>
-class Curve<F, Axes<S, DimensionT, Held::by_value>, 1, viewed> {
- public:
-  using Scalar = Axes<S, DimensionT, Held::by_value>;
-  static constexpr Form form = F;
-  static constexpr int dimension = 1;
-
-  Curve(const S* first, int degree) : first_(first), degree_(degree) {}
-
-  [[nodiscard]] int degree() const { return degree_; }
-  [[nodiscard]] Scalar operator()(int /*axis*/, int i) const {
-    return Scalar::read(first_ + static_cast<std::ptrdiff_t>(i) * DimensionT);
-  }
-
- private:
-  const S* first_;
-  int degree_;
-};
 
 namespace instantiate {
 

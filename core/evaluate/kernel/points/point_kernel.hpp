@@ -14,7 +14,7 @@
 #include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/evaluate/kernel/parts.hpp"
 #include "core/evaluate/kernel/points/along_curve.hpp"
-#include "core/evaluate/kernel/points/axes_curve.hpp"
+#include "core/evaluate/kernel/points/axes.hpp"
 
 namespace bezierbench::instantiate {
 
