@@ -73,7 +73,7 @@ inline double times_power_of_two(double value, int exponent) {
   return value * std::bit_cast<double>(static_cast<std::uint64_t>(exponent + bias) << digits);
 }
 
-/// The exponent e with 2^(e-1) <= |value| < 2^e, as std::frexp has it; value is finite and not 0.
+/// The exponent e with 2^(e-1) <= |value| < 2^e, and 0 for 0, as std::frexp has it; value is finite.
 inline int binary_exponent(double value) {
   constexpr int bias = std::numeric_limits<double>::max_exponent - 1;
   constexpr int digits = std::numeric_limits<double>::digits - 1;

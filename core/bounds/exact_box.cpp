@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/split_double.hpp"
+
 namespace bezierbench {
 namespace {
 
@@ -17,32 +19,6 @@ using Integer =
     boost::multiprecision::number<boost::multiprecision::cpp_int_backend<512>, boost::multiprecision::et_off>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// significand 2^exponent with |significand| < 2^53, not normalised.
-struct Split {
-  std::int64_t significand;
-  int exponent;
-};
-
-Split split(double x) {
-  int exponent = 0;
-  const double fraction = std::frexp(x, &exponent);
-  return {static_cast<std::int64_t>(std::ldexp(fraction, 53)), exponent - 53};
-}
-
-/// Integers of which the given numbers are a multiple: x = integer 2^exponent.
-int common_exponent(std::span<const double> values) {
-  int lowest = std::numeric_limits<int>::max();
-  for (const double x : values)
-    if (x != 0) lowest = std::min(lowest, split(x).exponent);
-  return lowest == std::numeric_limits<int>::max() ? 0 : lowest;
-}
-
-Integer integer(double x, int exponent) {
-  if (x == 0) return 0;
-  const auto [significand, own] = split(x);
-  return Integer(significand) << (own - exponent);
-}
 
 /// The largest double that is not above numerator / denominator 2^exponent, for denominator > 0.
 double rounded_down(const Integer& numerator, const Integer& denominator, long exponent) {
@@ -95,17 +71,14 @@ std::pair<std::vector<Integer>, std::vector<Integer>> halves(std::vector<Integer
 class LowSide {
  public:
   LowSide(std::span<const double> b, std::span<const double> weights) {
-    const int of_points = common_exponent(b);
-    const int of_weights = common_exponent(weights);
+    auto points = aligned<Integer>(b);
+    Piece whole{std::move(points.integers), aligned<Integer>(weights).integers};
     const bool negative = std::ranges::any_of(weights, [](double w) { return w < 0; });
-    Piece whole;
-    for (std::size_t i = 0; i < b.size(); ++i) {
-      whole.points.push_back(integer(b[i], of_points));
-      if (weights.empty()) continue;
-      whole.weights.push_back(integer(negative ? -weights[i] : weights[i], of_weights));
-      whole.points.back() *= whole.weights.back();
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      if (negative) whole.weights[i] = -whole.weights[i];
+      whole.points[i] *= whole.weights[i];
     }
-    exponent_ = of_points;  // that of the weights cancels
+    exponent_ = points.exponent;  // that of the weights cancels
     growth_ = weights.empty() ? static_cast<long>(b.size()) - 1 : 0;
     known_ = std::min(b.front(), b.back());
     pieces_.push_back(std::move(whole));

@@ -7,37 +7,12 @@
 #include <limits>
 #include <vector>
 
+#include "core/split_double.hpp"
+
 namespace bezierbench {
 namespace {
 
 using boost::multiprecision::cpp_int;
-
-constexpr int double_mantissa_bits = 53;
-
-/// The inputs as integers over one power of two: in[i] = integers[i] 2^exponent.
-struct Aligned {
-  std::vector<cpp_int> integers;
-  int exponent = 0;
-};
-
-Aligned align(std::span<const double> in) {
-  Aligned aligned;
-  aligned.integers.resize(in.size());
-  std::vector<int> exponents(in.size(), 0);
-  int lowest = std::numeric_limits<int>::max();
-  for (std::size_t i = 0; i < in.size(); ++i) {
-    if (in[i] == 0) continue;
-    const double mantissa = std::frexp(in[i], &exponents[i]);
-    aligned.integers[i] = static_cast<long long>(std::ldexp(mantissa, double_mantissa_bits));
-    exponents[i] -= double_mantissa_bits;
-    lowest = std::min(lowest, exponents[i]);
-  }
-  if (lowest == std::numeric_limits<int>::max()) return aligned;
-  aligned.exponent = lowest;
-  for (std::size_t i = 0; i < in.size(); ++i)
-    if (in[i] != 0) aligned.integers[i] <<= static_cast<unsigned>(exponents[i] - lowest);
-  return aligned;
-}
 
 /// (numerator / denominator) 2^exponent to nearest, ties to even, with gradual underflow and overflow to infinity.
 double round_quotient(const cpp_int& numerator, const cpp_int& denominator, int exponent, RoundTo target) {
@@ -81,7 +56,7 @@ void next_row(std::vector<cpp_int>& row) {
 /// Hands over every q_j = C(n,j) D^j b_0, as an integer times 2^exponent.
 template <class Receive>
 void for_each_power_coefficient(std::span<const double> in, Receive receive) {
-  const Aligned b = align(in);
+  const auto b = aligned<cpp_int>(in);
   std::vector<cpp_int> difference = b.integers;
   cpp_int binomial = 1;
   const std::size_t n = in.size() - 1;
@@ -106,9 +81,8 @@ void exact_to_power_double_double(std::span<const double> in, std::span<double> 
     high[j] = round_quotient(coefficient, 1, exponent, target);
     low[j] = 0;
     if (!std::isfinite(high[j])) return;
-    int high_exponent = 0;
-    cpp_int rounded = static_cast<long long>(std::ldexp(std::frexp(high[j], &high_exponent), double_mantissa_bits));
-    high_exponent -= double_mantissa_bits;
+    const auto [significand, high_exponent] = split_double(high[j]);
+    cpp_int rounded = significand;
     cpp_int remainder = coefficient;
     if (high_exponent > exponent)
       rounded <<= static_cast<unsigned>(high_exponent - exponent);
@@ -120,7 +94,7 @@ void exact_to_power_double_double(std::span<const double> in, std::span<double> 
 }
 
 void exact_to_power_centered(std::span<const double> in, std::span<double> out, RoundTo target) {
-  const Aligned b = align(in);
+  const auto b = aligned<cpp_int>(in);
   std::vector<cpp_int> difference = b.integers;
   cpp_int binomial = 1;
   const std::size_t n = in.size() - 1;
@@ -138,7 +112,7 @@ void exact_to_power_centered(std::span<const double> in, std::span<double> out, 
 }
 
 void exact_to_bernstein(std::span<const double> in, std::span<double> out, RoundTo target) {
-  Aligned q = align(in);
+  auto q = aligned<cpp_int>(in);
   const std::size_t n = in.size() - 1;
   std::vector<cpp_int> factorial(n + 1, 1);
   for (std::size_t k = 1; k <= n; ++k) factorial[k] = factorial[k - 1] * k;

@@ -9,30 +9,19 @@
 #include <utility>
 #include <vector>
 
+#include "core/split_double.hpp"
+
 namespace bezierbench {
 namespace {
 
 using Integer = boost::multiprecision::cpp_int;
 using Polynomial = std::vector<Integer>;  // ascending; the last one is not 0
 
-constexpr int double_mantissa_bits = 53;
-
 /// The numbers over one power of two.
 template <std::size_t count>
 std::array<Integer, count> integers(const std::array<double, count>& values) {
-  std::array<int, count> exponents{};
-  int lowest = 1;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (values[k] == 0) continue;
-    (void)std::frexp(values[k], &exponents[k]);
-    exponents[k] -= double_mantissa_bits;
-    lowest = std::min(lowest, exponents[k]);
-  }
   std::array<Integer, count> result;
-  for (std::size_t k = 0; k < count; ++k)
-    if (values[k] != 0)
-      result[k] = Integer(static_cast<long long>(std::ldexp(values[k], -exponents[k])))
-                  << static_cast<unsigned>(exponents[k] - lowest);
+  std::ranges::move(aligned<Integer>(values).integers, result.begin());
   return result;
 }
 

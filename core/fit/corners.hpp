@@ -9,6 +9,7 @@
 
 #include "core/fit/fit_data.hpp"
 #include "core/fit/polyline.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 
@@ -18,8 +19,7 @@ Point<double, Dimension> direction_of(const Point<double, Dimension>& v) {
   const double norm = length<Dimension>(v);
   if (!(norm > 0)) return Point<double, Dimension>::Zero();
   Point<double, Dimension> scaled;
-  int exponent = 0;
-  std::frexp(norm, &exponent);  // scaled, so that tiny vectors keep their digits
+  const int exponent = binary_exponent(norm);  // scaled, so that tiny vectors keep their digits
   for (int axis = 0; axis < Dimension; ++axis)
     scaled[axis] = std::ldexp(v[axis], -exponent) / std::ldexp(norm, -exponent);
   return scaled;

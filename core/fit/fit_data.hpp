@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/powers.hpp"
 #include "core/project/polygon.hpp"
 
 namespace bezierbench {
@@ -22,7 +23,7 @@ struct FitData {
     };
     double largest = 0;
     for (const double x : coordinates) largest = std::max(largest, std::abs(x));
-    std::frexp(largest, &exponent);
+    exponent = binary_exponent(largest);
     std::vector<std::size_t> kept;
     for (std::size_t i = 0; i < count; ++i) {
       if (kept.empty() || given(kept.back()) != given(i)) kept.push_back(i);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/interpolate/roster.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 namespace {
@@ -20,7 +21,7 @@ Axis scaled_axis(std::span<const double> points, std::size_t dimension, std::siz
   Axis result;
   double largest = 0;
   for (std::size_t k = axis; k < points.size(); k += dimension) largest = std::max(largest, std::abs(points[k]));
-  std::frexp(largest, &result.exponent);
+  result.exponent = binary_exponent(largest);
   for (std::size_t k = axis; k < points.size(); k += dimension)
     result.coordinates.push_back(std::ldexp(points[k], -result.exponent));
   return result;

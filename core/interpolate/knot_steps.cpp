@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/powers.hpp"
+
 namespace bezierbench {
 namespace {
 
@@ -23,7 +25,7 @@ Length distance(const double* a, const double* b, std::size_t dimension) {
     for (std::size_t k = 0; k < dimension; ++k) largest = std::max(largest, std::abs(b[k] - a[k]));
   if (largest == 0) return {};
   Length length;
-  std::frexp(largest, &length.exponent);
+  length.exponent = binary_exponent(largest);
   double square = 0;
   for (std::size_t k = 0; k < dimension; ++k) {
     const double part = std::ldexp(small ? b[k] - a[k] : b[k] / 2 - a[k] / 2, -length.exponent);

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "core/interpolate/kernel.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 namespace {
@@ -35,7 +36,7 @@ Axis axis_of(std::span<const double> points, int dimension, int axis, const Spli
   for (std::size_t k = a; k < points.size(); k += d) largest = std::max(largest, std::abs(points[k]));
   if (clamped)
     largest = std::max({largest, std::abs(conditions.start_derivative[a]), std::abs(conditions.end_derivative[a])});
-  std::frexp(largest, &result.exponent);
+  result.exponent = binary_exponent(largest);
   for (std::size_t k = a; k < points.size(); k += d)
     result.coordinates.push_back(std::ldexp(points[k], -result.exponent));
   if (conditions.closed) result.coordinates.push_back(result.coordinates.front());

@@ -9,6 +9,7 @@
 
 #include "core/curve.hpp"
 #include "core/evaluate/kernel/points/axes.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 
@@ -95,8 +96,7 @@ double largest_coordinate(const Point<double, Dimension>& v) {
 template <int Dimension>
 [[gnu::noinline]] double length_of_scaled(const Point<double, Dimension>& v, double largest) {
   if (largest == 0 || !std::isfinite(largest)) return largest;
-  int exponent = 0;
-  std::frexp(largest, &exponent);
+  const int exponent = binary_exponent(largest);
   Point<double, Dimension> scaled;
   for (int axis = 0; axis < Dimension; ++axis) scaled[axis] = std::ldexp(v[axis], -exponent);
   return std::ldexp(std::sqrt(dot<Dimension>(scaled, scaled)), exponent);

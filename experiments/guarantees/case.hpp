@@ -9,6 +9,8 @@
 #include <tuple>
 #include <vector>
 
+#include "core/split_double.hpp"
+
 namespace bezierbench::guarantees {
 
 /// A curve in Bernstein form and what else the statements speak of. All numbers are finite.
@@ -40,9 +42,8 @@ struct Case {
 
 /// The exponent of the lowest bit that is set, for x != 0.
 inline int lowest_bit(double x) {
-  int exponent = 0;
-  const auto integer = static_cast<std::uint64_t>(std::ldexp(std::abs(std::frexp(x, &exponent)), 53));
-  return exponent - 53 + std::countr_zero(integer);
+  const auto [significand, exponent] = split_double(x);
+  return exponent + std::countr_zero(static_cast<std::uint64_t>(significand));
 }
 
 /// The bits from the highest to the lowest that is set; 0 for 0.

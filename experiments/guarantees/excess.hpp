@@ -12,6 +12,7 @@
 
 #include "core/evaluate/guarantee.hpp"
 #include "core/evaluate/kernel/kernel.hpp"
+#include "core/powers.hpp"
 #include "experiments/judge/workspace.hpp"
 
 namespace bezierbench::guarantees {
@@ -64,8 +65,7 @@ inline constexpr double infinite = std::numeric_limits<double>::infinity();
 template <class Scalar>
 double ulp(Scalar x) {
   using Limits = std::numeric_limits<Scalar>;
-  int exponent = Limits::min_exponent;
-  if (x != 0) std::frexp(x, &exponent);
+  const int exponent = x == 0 ? Limits::min_exponent : binary_exponent(x);
   return std::ldexp(1.0, std::max(exponent, Limits::min_exponent) - Limits::digits);
 }
 

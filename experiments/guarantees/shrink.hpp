@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "core/powers.hpp"
 #include "experiments/guarantees/case.hpp"
 
 namespace bezierbench::guarantees {
@@ -62,9 +63,7 @@ void shrink(Case<Scalar>& input, int most_tries, const Accept& accept) {
     if (value == 0 || replace(0) || replace(1) || replace(-1)) return;
     for (int bits = 1; bits < significant_bits(static_cast<double>(value)); bits += 1 + bits / 8) {
       const Scalar lower = with_bits(value, bits);
-      int exponent = 0;
-      std::frexp(value, &exponent);
-      const Scalar upper = lower + std::copysign(std::ldexp(Scalar(1), exponent - bits), value);
+      const Scalar upper = lower + std::copysign(std::ldexp(Scalar(1), binary_exponent(value) - bits), value);
       if (replace(lower) || (std::isfinite(upper) && replace(upper))) return;
     }
     replace(-value);

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "core/error_free.hpp"
+#include "core/powers.hpp"
 #include "experiments/guarantees/case.hpp"
 #include "experiments/guarantees/convex_hull.hpp"
 #include "experiments/guarantees/excess.hpp"
@@ -225,9 +226,7 @@ struct ScalingByTwo {
     if (lattice_of(input.coefficients) + n * lattice_exponent(input.t) < smallest) return std::nullopt;
     auto twice = input;
     for (Scalar& value : twice.coefficients) {
-      int exponent = 0;
-      std::frexp(value, &exponent);
-      if (exponent + 2 * n + 2 > std::numeric_limits<Scalar>::max_exponent) return std::nullopt;
+      if (binary_exponent(value) + 2 * n + 2 > std::numeric_limits<Scalar>::max_exponent) return std::nullopt;
       value *= 2;
     }
     auto expected = method.point(input.coefficients, input.t);
@@ -317,15 +316,9 @@ struct Total {
 
  private:
   static bool in_range(const Case<Scalar>& input) {
-    int of_t = 0;
-    std::frexp(input.t, &of_t);
     int of_points = 0;
-    for (const Scalar value : input.coefficients) {
-      int exponent = 0;
-      std::frexp(value, &exponent);
-      of_points = std::max(of_points, exponent);
-    }
-    const int of_factor = std::max(of_t, 0) + 3;  // 4 (1 + |t|) < 2^of_factor
+    for (const Scalar value : input.coefficients) of_points = std::max(of_points, binary_exponent(value));
+    const int of_factor = std::max(binary_exponent(input.t), 0) + 3;  // 4 (1 + |t|) < 2^of_factor
     return of_points + 2 + input.degree() * of_factor <= std::numeric_limits<Scalar>::max_exponent;
   }
 };

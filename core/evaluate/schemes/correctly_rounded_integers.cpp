@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/split_double.hpp"
+
 namespace bezierbench {
 namespace {
 
@@ -26,11 +28,10 @@ constexpr int limbs(int bits) { return bits / limb_bits + 1; }
 struct Dyadic {
   explicit Dyadic(double value) : negative(std::signbit(value)) {
     if (value == 0) return;
-    const double fraction = std::frexp(std::abs(value), &exponent);
-    magnitude = static_cast<Limb>(std::ldexp(fraction, significand_bits));
-    const int zeros = std::countr_zero(magnitude);
-    magnitude >>= zeros;
-    exponent += zeros - significand_bits;
+    const auto split = split_double(std::abs(value));
+    const int zeros = std::countr_zero(static_cast<Limb>(split.significand));
+    magnitude = static_cast<Limb>(split.significand) >> zeros;
+    exponent = split.exponent + zeros;
   }
   [[nodiscard]] int top() const { return exponent + static_cast<int>(std::bit_width(magnitude)); }
 
