@@ -47,22 +47,24 @@ class CurveInMemory {
   static constexpr int dimension = DimensionT;
   static constexpr int fixed_degree = DegreeT;
 
-  [[gnu::always_inline]] CurveInMemory(const Number* first, int degree) : first_(first), degree_(degree) {}
+  [[gnu::always_inline]] CurveInMemory(const Number* first, int degree)
+      : first_(first), last_(first + static_cast<std::ptrdiff_t>(degree) * DimensionT * Read::axes), degree_(degree) {}
 
   [[nodiscard, gnu::always_inline]] int degree() const { return DegreeT == dynamic ? degree_ : DegreeT; }
   [[nodiscard, gnu::always_inline]] Scalar operator()(int axis, int i) const {
     return Read::read(first_ + static_cast<std::ptrdiff_t>(i * DimensionT + axis) * Read::axes);
   }
   /// Coefficient degree() - k. Its address is that of the last one less a constant where k is one: compilers would
-  /// compute the addresses of degree() - 0, degree() - 1, ... all in advance, for every call.
+  /// compute the addresses of degree() - 0, degree() - 1, ... all in advance, for every call, or each from the degree.
   [[nodiscard, gnu::always_inline]] Scalar from_end(int axis, int k) const {
-    const Number* const last = first_ + static_cast<std::ptrdiff_t>(degree()) * DimensionT * Read::axes;
+    const Number* const last = DegreeT == dynamic ? last_ : first_ + DegreeT * DimensionT * Read::axes;
     return Read::read(last + static_cast<std::ptrdiff_t>(axis - k * DimensionT) * Read::axes);
   }
   [[nodiscard, gnu::always_inline]] const Number* data() const { return first_; }
 
  private:
   const Number* first_;
+  const Number* last_;
   int degree_;
 };
 

@@ -14,6 +14,7 @@
 
 #include "core/bound/amplification.hpp"
 #include "core/evaluate/evaluator.hpp"
+#include "core/evaluate/schemes/steps.hpp"
 #include "core/factorial.hpp"
 #include "core/vector/same_for_every_axis.hpp"
 
@@ -62,19 +63,25 @@ struct Direct : SameForEveryAxis {
   static Point<Scalar, Dimension> evaluate(const Prepared<Scalar, Dimension, Degree>& prepared, Scalar t) {
     const int n = prepared.curve.degree();
     const Scalar s = Scalar(1) - t;
-    constexpr int room = (Degree == dynamic ? max_factorial : Degree) + 1;
-    Scalar t_power[room];
-    Scalar s_power[room];
-    t_power[0] = s_power[0] = Scalar(1);
-    for (int i = 1; i <= n; ++i) {
-      t_power[i] = t_power[i - 1] * t;
-      s_power[i] = s_power[i - 1] * s;
-    }
+    Scalar s_powers[(Degree == dynamic ? max_factorial : Degree) + 1];
+    Scalar* after = s_powers;
+    Scalar s_power(1);
+    *after++ = s_power;
+    count_down<Scalar, Degree>(n - 1, [&](int /*left*/) {
+      s_power *= s;
+      *after++ = s_power;
+    });
+    Scalar t_power(1);
     Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
-    for (int i = 0; i <= n; ++i) {
-      const Scalar basis = prepared.binomial[i] * t_power[i] * s_power[n - i];
-      for (int axis = 0; axis < Dimension; ++axis) sum[axis] += basis * prepared.curve(axis, i);
-    }
+    const auto add = [&](int left) {
+      const Scalar basis = prepared.binomial[n - left] * t_power * *--after;
+      for (int axis = 0; axis < Dimension; ++axis) sum[axis] += basis * prepared.curve.from_end(axis, left);
+    };
+    add(n);
+    count_down<Scalar, Degree>(n - 1, [&](int left) {
+      t_power *= t;
+      add(left);
+    });
     return sum;
   }
 };

@@ -59,12 +59,21 @@ template <class Scalar, class Coefficient, class Value>
   std::copy(first_powers.begin(), first_powers.end(), powers);
   for (int k = 5; 1 << k < count; ++k) powers[k] = powers[k - 1] * powers[k - 1];
   Value blocks[most];  // the k-th of 2^k coefficients
+  Value pair = rest;   // of the first 32, which wait for no memory where they are all that is left
   for (int first = 0; first + 16 <= count; first += 16) {
     Value block = joined_block<16>(q, first, powers);
+    if (count < 64) {
+      if (first == 32)
+        rest = count == 48 ? block : block + rest * powers[4];
+      else
+        pair = first == 0 ? block : pair + block * powers[4];
+      continue;
+    }
     int k = 4;
     for (; (first >> k & 1) != 0; ++k) block = blocks[k] + block * powers[k];
     blocks[k] = block;
   }
+  if (count < 64) return count == 32 ? pair : pair + rest * powers[5];
   for (int k = 4; count >> k != 0; ++k)
     if ((count >> k & 1) != 0) rest = count % (1 << k) == 0 ? blocks[k] : blocks[k] + rest * powers[k];
   return rest;

@@ -59,11 +59,11 @@ struct VolkSchumaker : SameForEveryAxis {
     const auto near_start = x + x <= Parameter(1);
     const Parameter larger = select(near_start, s, x);
     const Scalar r(select(near_start, x, s) / larger);
-    const FromNearerEnd from_end(near_start, c);
+    FromNearerEnd from_end(near_start, c);
     Point<Scalar, Dimension> p;
-    for (int axis = 0; axis < Dimension; ++axis) p[axis] = from_end(axis, n);
+    for (int axis = 0; axis < Dimension; ++axis) p[axis] = from_end.counted_down(axis, n);
     count_down<Scalar, Degree>(n - 1, [&](int i) {
-      for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * r + from_end(axis, i);
+      for (int axis = 0; axis < Dimension; ++axis) p[axis] = p[axis] * r + from_end.counted_down(axis, i);
     });
     const Scalar scale(integer_power(larger, n));
     for (int axis = 0; axis < Dimension; ++axis) p[axis] *= scale;

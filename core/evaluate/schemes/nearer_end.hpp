@@ -32,6 +32,8 @@ class FromNearerEnd {
     else
       return select(from_start_, curve_(axis, i), curve_(axis, curve_.degree() - i));
   }
+  /// The same for calls with i = degree(), degree() - 1, ..., 0 in turn, all axes of each.
+  [[nodiscard, gnu::always_inline]] Scalar counted_down(int axis, int i) const { return (*this)(axis, i); }
 
  private:
   // A mask of lanes is not copied: compilers do so in pieces of a few bytes.
@@ -51,14 +53,19 @@ class FromNearerEnd<bool, Curve<F, V, 1, dynamic>> {
   [[gnu::always_inline]] FromNearerEnd(bool from_start, const Curve<F, V, 1, dynamic>& curve)
       : first_(from_start ? curve.data() : curve.data() + static_cast<std::ptrdiff_t>(curve.degree()) * V::axes),
         step_(from_start ? V::axes : -V::axes),
+        after_((curve.degree() + 1) * step_),
         degree_(curve.degree()) {}
 
   [[nodiscard, gnu::always_inline]] int degree() const { return degree_; }
   [[nodiscard, gnu::always_inline]] V operator()(int /*axis*/, int i) const { return V::read(first_ + i * step_); }
+  [[nodiscard, gnu::always_inline]] V counted_down(int /*axis*/, int /*i*/) {
+    return V::read(first_ + (after_ -= step_));
+  }
 
  private:
   const typename V::Scalar* first_;
   std::ptrdiff_t step_;
+  std::ptrdiff_t after_;  ///< the place of what `counted_down` read last
   int degree_;
 };
 
