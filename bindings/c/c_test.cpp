@@ -174,6 +174,28 @@ TEST(C, LengthsOfARationalCurve) {
   }
 }
 
+TEST(C, TheFootOfAPointOverAQuarterCircle) {
+  constexpr std::array<double, 6> points{1, 0, 1, 1, 0, 1};
+  constexpr std::array<double, 3> weights{1, 1, 2};
+  constexpr std::array<double, 3> cancelling{1, -1, 1};
+  constexpr std::array<double, 2> point{3, 4};
+  const bb_curve circle{BB_RATIONAL, 2, 2, points.data(), weights.data()};
+  const bb_curve pole{BB_RATIONAL, 2, 2, points.data(), cancelling.data()};
+  double t = 0;
+  double distance = 0;
+  ASSERT_EQ(bb_exact_project(&circle, point.data(), &t, &distance), BB_OK);
+  EXPECT_EQ(t, 0.5);
+  EXPECT_EQ(distance, 4);
+  EXPECT_EQ(bb_exact_project(&pole, point.data(), &t, &distance), BB_ERROR_NO_POINT);
+  for (const auto& method : methods("projection")) {
+    if (method.form != BB_RATIONAL) continue;
+    bb_foot foot{};
+    ASSERT_EQ(bb_project(method.id, &circle, point.data(), &foot), BB_OK) << method.id;
+    EXPECT_NEAR(foot.t, 0.5, 1e-14) << method.id;
+    EXPECT_EQ(bb_project(method.id, &pole, point.data(), &foot), BB_ERROR_NO_POINT);
+  }
+}
+
 TEST(C, TheFootOfAPointOverALine) {
   constexpr std::array<double, 4> ends{0, 0, 4, 0};
   const bb_curve line{BB_BERNSTEIN, 2, 1, ends.data(), nullptr};

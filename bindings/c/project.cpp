@@ -2,6 +2,7 @@
 // Projections by a method, true ones, and errors.
 #include "bindings/c/chosen.hpp"
 #include "core/project/kernel.hpp"
+#include "reference/companion/pole.hpp"
 #include "reference/companion/projection.hpp"
 
 using namespace bezierbench;
@@ -12,9 +13,14 @@ std::span<const double> point_of(const CurveView<double>& curve, const double* p
   return c::finite_values(point, static_cast<std::size_t>(curve.dimension));
 }
 
+/// Throws Refused for a rational curve with a pole.
+void require_no_pole(const CurveView<double>& curve) { c::require(!reference::pole(curve), BB_ERROR_NO_POINT); }
+
 reference::ExactProjection exact_projection(const bb_curve* curve, const double* point) {
-  const auto view = c::bernstein_curve_of(curve);
+  const auto view = c::curve_of(curve);
+  c::require(view.form != Form::power, BB_ERROR_FORM);
   c::require(view.degree >= 1, BB_ERROR_DEGREE);
+  require_no_pole(view);
   return reference::projection(view, point_of(view, point));
 }
 
@@ -25,6 +31,7 @@ int bb_project(const char* method, const bb_curve* curve, const double* point, b
     const auto view = c::curve_of(curve);
     const auto& kernel = c::chosen(projection_kernels(view.dimension), method, view);
     const auto at = point_of(view, point);
+    require_no_pole(view);
     c::require_pointers(foot);
     const auto found = kernel.project(view, at);
     *foot = {found.t, found.distance, found.candidates, found.converged ? 1 : 0};

@@ -265,6 +265,13 @@ class Problems(unittest.TestCase):
         with self.assertRaisesRegex(bezierbench.Error, "sum to zero"):
             bezierbench.arc_length(quarter_circle, weights=[1, -1, 1])
 
+    def test_projection_on_a_rational_curve(self):
+        quarter_circle = [[1, 0], [1, 1], [0, 1]]
+        self.assertEqual(bezierbench.exact_project(quarter_circle, [3, 4], weights=[1, 1, 2]), (0.5, 4))
+        self.assertAlmostEqual(bezierbench.project(quarter_circle, [3, 4], weights=[1, 1, 2]).t, 0.5, 14)
+        with self.assertRaisesRegex(bezierbench.Error, "sum to zero"):
+            bezierbench.exact_project(quarter_circle, [3, 4], weights=[1, -1, 1])
+
     def test_projection(self):
         self.assertEqual(bezierbench.exact_project([[0, 0], [4, 0]], [1, 3]), (0.25, 3))
         found = bezierbench.project(CURVE, [1, 1])

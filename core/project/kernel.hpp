@@ -21,8 +21,8 @@ struct FootPoint {
 struct ProjectionKernel {
   const MethodInfo* info;
   int dimension;
-  /// Projects `point`, which has as many coordinates as the curve. `curve` is in Bernstein form, of a degree that the
-  /// method supports.
+  /// Projects `point`, which has as many coordinates as the curve. `curve` is in the form of `info`, of a degree that
+  /// the method supports, and has no pole in [0, 1].
   FootPoint (*project)(const CurveView<double>& curve, std::span<const double> point);
   /// The bound of |(C - P).C'| at t that the method states, over the unit of polished_residual_bound, for a degree and
   /// a dimension; null for none.

@@ -12,7 +12,7 @@
 namespace bezierbench {
 
 template <class M>
-concept ProjectionMethod = requires(const Curve<Form::bernstein, double, 2>& curve, const Point<double, 2>& point) {
+concept ProjectionMethod = requires(const Curve<M::info.form, double, 2>& curve, const Point<double, 2>& point) {
   requires M::info.problem == Problem::projection;
   { M::project(curve, point) } -> std::same_as<FootPoint>;
 };

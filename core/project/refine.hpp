@@ -18,9 +18,8 @@ struct RootEstimate {
 /// where a step leaves the bracket or is more than half of the step before. Ends where a and b are neighbours, or after
 /// a step s whose error bound 2 s^2 |f''| / |f'| is at most u t (Kantorovich's theorem; [Ortega and Rheinboldt 1970],
 /// 12.6.2).
-template <int Dimension, int Degree>
-double root_in_bracket(const OffsetCurve<Dimension, Degree>& curve, double a, double b, bool rising,
-                       const RootEstimate& estimate) {
+template <class Offset>
+double root_in_bracket(const Offset& curve, double a, double b, bool rising, const RootEstimate& estimate) {
   constexpr int max_steps = 200;  // every second step halves the bracket, of at most 2^53 doubles per binade
   auto [t, last_step] = estimate;
   for (int k = 0; k < max_steps; ++k) {
@@ -47,8 +46,8 @@ double root_in_bracket(const OffsetCurve<Dimension, Degree>& curve, double a, do
 /// there. Distances next to a minimum differ in their last digits only, so a search by distances ends at half of the
 /// digits of t; a root of (C - P).C' has them all. Signs bracket it: steps downhill double, from twice Newton's step
 /// on.
-template <int Dimension, int Degree>
-double polished(const OffsetCurve<Dimension, Degree>& curve, double t) {
+template <class Offset>
+double polished(const Offset& curve, double t) {
   constexpr double min_step = 0x1p-52;
   constexpr double rounding = 1 + 8 * 0x1p-53;  // of two distances
   const auto f = curve.slope(t);

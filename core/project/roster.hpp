@@ -16,16 +16,19 @@
 
 namespace bezierbench {
 
-using ProjectionMethods = TypeList<QuinticIsolate,       //
-                                   QuinticCompanion,     //
-                                   SubdivideHull,        //
-                                   ScanBisect,           //
-                                   ScanRefine,           //
-                                   QuinticSeed002,       //
-                                   QuinticDurandKerner,  //
-                                   QuinticJenkinsTraub,  //
-                                   ScanLength,           //
-                                   Seed004Scan,          //
-                                   Seed004Subdivide>;
+using ProjectionMethods = TypeList<QuinticIsolate,                       //
+                                   QuinticCompanion,                     //
+                                   SubdivideHull,                        //
+                                   ScanBisect,                           //
+                                   ScanRefine,                           //
+                                   QuinticSeed002,                       //
+                                   QuinticDurandKerner,                  //
+                                   QuinticJenkinsTraub,                  //
+                                   ScanLength,                           //
+                                   Seed004Scan,                          //
+                                   Seed004Subdivide,                     //
+                                   ProjectionOfRational<SubdivideHull>,  //
+                                   ProjectionOfRational<ScanBisect>,     //
+                                   ProjectionOfRational<ScanRefine>>;
 
 }  // namespace bezierbench

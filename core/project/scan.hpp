@@ -4,11 +4,16 @@
 
 #include <limits>
 
-#include "core/project/offset_curve.hpp"
+#include "core/project/rational_offset.hpp"
 
 namespace bezierbench {
 
 /// |C(t) - P|^2 / m^2 in plain floating point, which the searches compare.
+template <int Dimension>
+double squared_distance(const RationalOffset<Dimension>& curve, double t) {
+  const auto offset = curve.at(t);
+  return dot<Dimension>(offset, offset);
+}
 template <int Dimension>
 double squared_distance(const OffsetCurve<Dimension>& curve, double t) {
   const auto offset = point_at<Dimension>(curve.offsets(), t);
@@ -17,8 +22,8 @@ double squared_distance(const OffsetCurve<Dimension>& curve, double t) {
 
 /// The parameter of the nearest of the samples from + i (to - from) / slices, i = 0, ..., slices; of equally near ones
 /// the first.
-template <int Dimension>
-double nearest_sample(const OffsetCurve<Dimension>& curve, double from, double to, int slices) {
+template <class Offset>
+double nearest_sample(const Offset& curve, double from, double to, int slices) {
   double best = from;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= slices; ++i) {

@@ -26,12 +26,11 @@ struct ScanBisect {
                                    .citation = "[Document 004]"};
   static constexpr auto residual_bound = polished_residual_bound;
 
-  template <int Dimension>
-  static FootPoint project(const Curve<Form::bernstein, double, Dimension>& curve,
-                           const Point<double, Dimension>& point) {
+  template <Form F, int Dimension>
+  static FootPoint project(const Curve<F, double, Dimension>& curve, const Point<double, Dimension>& point) {
     constexpr int scans = 25;
     constexpr double e = 0x1p-26;
-    const OffsetCurve<Dimension> offset(curve, point);
+    const auto offset = offset_of(curve, point);
     const double best = nearest_sample(offset, 0.0, 1.0, scans);
     double from = std::max(best - 1.0 / scans, 0.0);
     double to = std::min(best + 1.0 / scans, 1.0);

@@ -25,11 +25,10 @@ struct ScanRefine {
                                    .citation = "[Document 004]"};
   static constexpr auto residual_bound = polished_residual_bound;
 
-  template <int Dimension>
-  static FootPoint project(const Curve<Form::bernstein, double, Dimension>& curve,
-                           const Point<double, Dimension>& point) {
+  template <Form F, int Dimension>
+  static FootPoint project(const Curve<F, double, Dimension>& curve, const Point<double, Dimension>& point) {
     constexpr int slices = 16;
-    const OffsetCurve<Dimension> offset(curve, point);
+    const auto offset = offset_of(curve, point);
     double from = 0;
     double to = 1;
     double best = 0;

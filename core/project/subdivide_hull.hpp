@@ -10,6 +10,8 @@
 //   than the best parameter by more than its rounding errors: 2c u of the distance, c = d (5n + d + 5), and those of
 //   halving, (n + 1) u times the size of every piece that it was cut from; or where it is narrower than 2^-54. The best
 //   parameter is then polished.
+//   Of rational curves, C - P = V / W (rational_offset.hpp), a piece is dropped where no coefficient of
+//   |V|^2 - D^2 W^2 is negative, D the least distance less a margin (docs/proofs/rational_projection.md).
 // Fails: beyond degree 512 the binomials of degree 2n overflow. Next to a curve whose distance is constant up to
 //   rounding over a long part it ends after 20,000 pieces, and `converged` is false.
 #pragma once
@@ -18,6 +20,7 @@
 
 #include "core/binomial.hpp"
 #include "core/project/projection.hpp"
+#include "core/project/rational_offset.hpp"
 #include "core/project/refine.hpp"
 
 namespace bezierbench {
@@ -35,27 +38,27 @@ struct SubdivideHull {
                                    .citation = "[Chen et al. 2007]; [Document 004]"};
   static constexpr auto residual_bound = polished_residual_bound;
 
-  template <int Dimension>
-  static FootPoint project(const Curve<Form::bernstein, double, Dimension>& curve,
-                           const Point<double, Dimension>& point) {
-    const OffsetCurve<Dimension> offset(curve, point);
+  template <Form F, int Dimension>
+  static FootPoint project(const Curve<F, double, Dimension>& curve, const Point<double, Dimension>& point) {
+    const auto offset = offset_of(curve, point);
+    constexpr int axes = F == Form::rational ? Dimension + 1 : Dimension;
     const Binomials binomials(offset.degree());
     Best best{0, offset.scaled_distance(0)};
     best.take(1, offset.scaled_distance(1));
-    std::vector<Piece<Dimension>> level{{offset.offsets(), 0, 0}};
+    std::vector<Piece<axes>> level{{offset.offsets(), 0, 0}};
     int judged = 0;
     for (double width = 1; !level.empty() && width >= smallest_width && judged < max_pieces; width /= 2) {
-      std::vector<Piece<Dimension>> next;
+      std::vector<Piece<axes>> next;
       for (auto& piece : level) {
         ++judged;
-        if (!may_be_nearer(piece, binomials, best.distance)) continue;
+        if (!may_be_nearer(offset, piece, binomials, best.distance)) continue;
         const double middle = piece.from + width / 2;
         best.take(middle, offset.scaled_distance(middle));
         const double error = piece.error + 0x1p-53 * static_cast<double>(piece.offset.cols()) *
-                                               largest_coordinate<Dimension>(piece.offset);
-        Polygon<Dimension> left;
-        Polygon<Dimension> right;
-        halve<Dimension>(piece.offset, left, right);
+                                               (F == Form::rational ? 1 : largest_coordinate<axes>(piece.offset));
+        Polygon<axes> left;
+        Polygon<axes> right;
+        halve<axes>(piece.offset, left, right);
         next.push_back({std::move(left), piece.from, error});
         next.push_back({std::move(right), middle, error});
       }
@@ -83,7 +86,7 @@ struct SubdivideHull {
   struct Piece {
     Polygon<Dimension> offset;  ///< control points of C - P, over m as in OffsetCurve
     double from;
-    double error;  ///< bound of the error that halving causes in a coordinate
+    double error;  ///< bound of the error that halving causes in a coordinate; of a rational curve, k u
   };
 
   struct Binomials {
@@ -96,7 +99,8 @@ struct SubdivideHull {
   /// Whether a point of the piece may be nearer than `best`; false where every point is at least as far away, up to
   /// rounding.
   template <int Dimension>
-  static bool may_be_nearer(const Piece<Dimension>& piece, const Binomials& binomials, double best) {
+  static bool may_be_nearer(const OffsetCurve<Dimension>& /*offset*/, const Piece<Dimension>& piece,
+                            const Binomials& binomials, double best) {
     const int n = degree_of<Dimension>(piece.offset);
     const double largest = largest_coordinate<Dimension>(piece.offset);
     const double roundings =
@@ -108,6 +112,32 @@ struct SubdivideHull {
         sum +=
             binomials.curve[i] * binomials.curve[k - i] * dot<Dimension>(piece.offset.col(i), piece.offset.col(k - i));
       if (sum / binomials.square[k] - roundings * largest * largest < nearer * nearer) return true;
+    }
+    return false;
+  }
+
+  template <int Dimension>
+  static bool may_be_nearer(const RationalOffset<Dimension>& offset, const Piece<Dimension + 1>& piece,
+                            const Binomials& binomials, double best) {
+    const int n = degree_of<Dimension + 1>(piece.offset);
+    double least = offset.is_positive() ? 1 : std::abs(piece.offset(Dimension, 0));
+    for (int i = 0; i <= n && !offset.is_positive(); ++i) least = std::min(least, piece.offset(Dimension, i));
+    const double roundings = 0x1p-53 * (Dimension + 1) * (5.0 * n + Dimension + 9);  // of a sum, over its magnitudes
+    const double moved = least > 0 ? 2 * Dimension * (piece.error + 0x1p-51) / least : 0;
+    const double nearer = std::max(0.0, best * (1 - 4 * roundings - moved) - moved * offset.largest_offset());
+    for (int k = 0; k <= 2 * n; ++k) {
+      double sum = 0;
+      double magnitudes = 0;
+      for (int i = std::max(0, k - n); i <= std::min(k, n); ++i) {
+        const double binomial = binomials.curve[i] * binomials.curve[k - i];
+        for (int axis = 0; axis <= Dimension; ++axis) {
+          const double factor = axis == Dimension ? -nearer * nearer : 1;
+          const double product = factor * (piece.offset(axis, i) * piece.offset(axis, k - i));
+          sum += binomial * product;
+          magnitudes += binomial * std::abs(product);
+        }
+      }
+      if (sum < roundings * magnitudes) return true;
     }
     return false;
   }

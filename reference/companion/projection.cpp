@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "reference/companion/integer_polynomial.hpp"
 
@@ -16,6 +17,7 @@ struct Problem {
   IntegerPolynomial slope;                 ///< (C - P).C'
   IntegerPolynomial squared;               ///< |C - P|^2
   long exponent = 0;
+  IntegerPolynomial weight = {};  ///< of a rational curve; the others are then of V = W (C - P) and V'W - VW'
 };
 
 void add(IntegerPolynomial& sum, const IntegerPolynomial& term) {
@@ -35,26 +37,42 @@ Problem problem_of(const CurveView<double>& curve, std::span<const double> point
   Problem problem;
   for (const auto values : {curve.coefficients, point})
     for (const double x : values) problem.exponent = std::min(problem.exponent, exactly(x).exponent);
-  for (int axis = 0; axis < curve.dimension; ++axis) {
-    const mpz_class p = integer(point[static_cast<std::size_t>(axis)], problem.exponent);
+  long weight_exponent = 0;
+  for (const double w : curve.weights) weight_exponent = std::min(weight_exponent, exactly(w).exponent);
+  const auto polynomial = [&](auto coefficient) {
     std::vector<mpz_class> scaled;
     mpz_class binomial = 1;
     for (int i = 0; i <= curve.degree; ++i) {
-      scaled.emplace_back((integer(curve(axis, i), problem.exponent) - p) * binomial);
+      scaled.emplace_back(coefficient(i) * binomial);
+      if (!curve.weights.empty()) scaled.back() *= integer(curve.weights[static_cast<std::size_t>(i)], weight_exponent);
       binomial = binomial * (curve.degree - i) / (i + 1);
     }
-    const auto offset = from_scaled_bernstein(scaled);
+    return from_scaled_bernstein(scaled);
+  };
+  if (!curve.weights.empty()) problem.weight = polynomial([](int) { return mpz_class(1); });
+  for (int axis = 0; axis < curve.dimension; ++axis) {
+    const mpz_class p = integer(point[static_cast<std::size_t>(axis)], problem.exponent);
+    const auto offset = polynomial([&](int i) { return mpz_class(integer(curve(axis, i), problem.exponent) - p); });
     add(problem.squared, product(offset, offset));
-    add(problem.slope, product(offset, derivative(offset)));
+    auto velocity = derivative(offset);
+    if (!problem.weight.empty()) {
+      velocity = product(velocity, problem.weight);
+      auto other = product(offset, derivative(problem.weight));
+      for (auto& x : other) x = -x;
+      add(velocity, other);
+    }
+    add(problem.slope, product(offset, velocity));
     problem.offsets.push_back(offset);
   }
   return problem;
 }
 
 /// |C - P|^2 at a dyadic t.
-Rational squared_at(const IntegerPolynomial& squared, long exponent, const Dyadic& t) {
-  const auto degree = squared.empty() ? 0 : static_cast<long>(squared.size()) - 1;
-  return {value_at(squared, t), 1, 2 * exponent - degree * static_cast<long>(t.shift)};
+Rational squared_at(const IntegerPolynomial& squared, const IntegerPolynomial& weight, long exponent, const Dyadic& t) {
+  const auto degree_of = [](const IntegerPolynomial& p) { return p.empty() ? 0 : static_cast<long>(p.size()) - 1; };
+  const auto shift = static_cast<long>(t.shift);
+  const mpz_class w = weight.empty() ? mpz_class(1) : value_at(weight, t);
+  return {value_at(squared, t), w * w, 2 * exponent + (2 * degree_of(weight) - degree_of(squared)) * shift};
 }
 
 Rational rational(const Dyadic& t) { return {t.k, 1, -static_cast<long>(t.shift)}; }
@@ -79,7 +97,7 @@ void refine_root(const IntegerPolynomial& p, RootInterval& root) {
 }
 
 CriticalPoint critical_point(const Problem& problem, const RootInterval& root, const IntegerPolynomial& zeros) {
-  CriticalPoint point{rational(root.t), squared_at(problem.squared, problem.exponent, root.t)};
+  CriticalPoint point{rational(root.t), squared_at(problem.squared, problem.weight, problem.exponent, root.t)};
   if (root.exact || zeros.size() < 2) return point;
   const Dyadic other{root.t.k + 1, root.t.shift};
   if (sign_at(zeros, root.t) * sign_at(zeros, other) < 0) point.distance_squared = {};
@@ -156,14 +174,72 @@ class Nearest {
   mpz_class bend_ = 0;  ///< a bound of |D''| on [0, 1]
 };
 
+/// Compares the distances at critical points of a rational curve by enclosures of |V|^2 / W^2. Where 1000 bits of t do
+/// not tell them apart they count as equal.
+class NearestOfRational {
+ public:
+  NearestOfRational(const Problem& problem, const IntegerPolynomial& slope) : problem_(problem), slope_(slope) {}
+
+  /// Whether the curve is nearer at `a` than at `b`. Narrows both where that is required.
+  bool is_nearer(RootInterval& a, RootInterval& b) const {
+    constexpr unsigned long most_bits = 1000;
+    for (unsigned long bits = min_bits;; bits *= 2) {
+      for (auto* root : {&a, &b}) refine(slope_, *root, bits);
+      const auto range_a = range(a);
+      const auto range_b = range(b);
+      if (range_a && range_b) {
+        if (less(range_a->high, range_b->low)) return true;
+        if (!less(range_a->low, range_b->high)) return false;
+      }
+      if (bits > most_bits || (a.exact && b.exact)) return false;
+    }
+  }
+
+ private:
+  struct Range {
+    Rational low;
+    Rational high;
+  };
+  /// p at t and a bound of its change over the interval: the step times sum i |p_i|.
+  struct Change {
+    mpz_class value;
+    mpz_class off;
+    long exponent;
+  };
+  static Change change(const IntegerPolynomial& p, const RootInterval& root) {
+    if (p.empty()) return {0, 0, 0};
+    const auto degree = static_cast<unsigned long>(p.size() - 1);
+    mpz_class steep = 0;
+    for (std::size_t i = 1; i < p.size(); ++i) steep += abs(p[i]) * static_cast<unsigned long>(i);
+    mpz_class off = 0;
+    if (!root.exact && degree > 0) off = steep << ((degree - 1) * root.t.shift);
+    return {value_at(p, root.t), off, -static_cast<long>(degree * root.t.shift)};
+  }
+  /// Of the squared distance over 2^(2 exponent); empty where W may vanish in the interval.
+  [[nodiscard]] std::optional<Range> range(const RootInterval& root) const {
+    const auto square = change(problem_.squared, root);
+    const auto weight = change(problem_.weight, root);
+    const mpz_class size = abs(weight.value);
+    if (size <= weight.off) return std::nullopt;
+    const mpz_class least = size - weight.off;
+    const mpz_class largest = size + weight.off;
+    const mpz_class low = square.value > square.off ? mpz_class(square.value - square.off) : mpz_class(0);
+    const long exponent = square.exponent - 2 * weight.exponent;
+    return Range{{low, largest * largest, exponent}, {square.value + square.off, least * least, exponent}};
+  }
+
+  const Problem& problem_;
+  const IntegerPolynomial& slope_;
+};
+
 /// The square root of b >= 0, cut to 256 bits.
 Rational root_of(const Rational& b) {
-  if (b.numerator == 0) return b;
+  if (b.numerator == 0) return {};
   constexpr long root_bits = 256;
   const long drop = floor_log2(b) / 2 - root_bits;  // of the root
   const long shift = b.exponent - 2 * drop;
-  mpz_class integer = shift >= 0 ? mpz_class(b.numerator << static_cast<mp_bitcnt_t>(shift))
-                                 : mpz_class(b.numerator >> static_cast<mp_bitcnt_t>(-shift));
+  mpz_class integer = shift >= 0 ? mpz_class((b.numerator << static_cast<mp_bitcnt_t>(shift)) / b.denominator)
+                                 : mpz_class((b.numerator >> static_cast<mp_bitcnt_t>(-shift)) / b.denominator);
   return {sqrt(integer), 1, drop};
 }
 
@@ -205,13 +281,25 @@ ExactProjection projection(const CurveView<double>& curve, std::span<const doubl
   for (const auto& root : is_point ? std::vector<RootInterval>{} : isolate_roots(slope))
     if (!root.exact || root.t.shift > 0) roots.push_back(root);  // else an end
   roots.push_back({{1, 0}, true});
-  ExactProjection result{
-      {}, 0, problem.squared, problem.exponent, largest_speed(curve), largest_coordinate(curve, point), curve.degree};
+  ExactProjection result{{},
+                         0,
+                         problem.squared,
+                         problem.exponent,
+                         problem.weight,
+                         largest_speed(curve),
+                         largest_coordinate(curve, point),
+                         curve.degree};
   for (auto& root : roots) {
     refine_root(slope, root);
     result.critical.push_back(critical_point(problem, root, zeros));
   }
   if (is_point) return result;
+  if (curve.form == Form::rational) {
+    const NearestOfRational nearest(problem, slope);
+    for (std::size_t i = 1; i < roots.size(); ++i)
+      if (nearest.is_nearer(roots[i], roots[result.nearest])) result.nearest = i;
+    return result;
+  }
   Nearest nearest(problem, slope);
   // Where |C(t) - P| = |C(1 - t) - P| for all t, the first half has the first of all nearest points.
   const auto count = mirrored(problem.squared) == problem.squared ? (roots.size() + 1) / 2 : roots.size();
@@ -220,11 +308,13 @@ ExactProjection projection(const CurveView<double>& curve, std::span<const doubl
   return result;
 }
 
-Rational ExactProjection::distance_squared_at(double t) const { return squared_at(squared, exponent, dyadic(t)); }
+Rational ExactProjection::distance_squared_at(double t) const {
+  return squared_at(squared, weight, exponent, dyadic(t));
+}
 
 double foot_residual(double t, const ExactProjection& exact) {
   if (!(t >= 0 && t <= 1)) return std::numeric_limits<double>::infinity();
-  Rational slope = squared_at(derivative(exact.squared), exact.exponent, dyadic(t));
+  Rational slope = squared_at(derivative(exact.squared), {}, exact.exponent, dyadic(t));
   slope.exponent -= 1;  // (|C - P|^2)' / 2
   if ((t == 0 && slope.numerator >= 0) || (t == 1 && slope.numerator <= 0)) return 0;
   const Rational u{1, 1, -53};

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The true foot points of a point on a curve over [0, 1]: with dyadic input, f = (C - P).C' has integer coefficients,
 // up to a power of two. All its real roots in [0, 1] are isolated with integers, so no minimum can be missed.
+//
+// Of a rational curve C = A / W let V = A - P W. Then C - P = V / W, and f = V.(V'W - VW') / W^3, whose numerator has
+// degree 3n - 2: the terms of degree 2n - 1 in V'W - VW' cancel.
 #pragma once
 
 #include <span>
@@ -25,19 +28,21 @@ struct ExactProjection {
 
   [[nodiscard]] const CriticalPoint& foot() const { return critical[nearest]; }
 
-  /// |C(t) - P|^2 = 2^(2 exponent) sum squared[i] t^i, for any t.
+  /// |C(t) - P|^2 = 2^(2 exponent) sum squared[i] t^i, for any t; of a rational curve over the square of `weight`.
   IntegerPolynomial squared;
   long exponent = 0;
+  IntegerPolynomial weight;  ///< W up to a power of two, in which `squared` is, too; empty for other curves
 
   Rational largest_speed;       ///< n max |b_(i+1) - b_i|, a bound of |C'|, cut to 256 bits
   Rational largest_coordinate;  ///< of the control points and of P
   int degree = 0;
 
-  /// At a finite t.
+  /// At a finite t that is no pole.
   [[nodiscard]] Rational distance_squared_at(double t) const;
 };
 
-/// Projects a finite point on a curve of as many dimensions: finite coefficients in Bernstein form, degree >= 1.
+/// Projects a finite point on a curve of as many dimensions: finite coefficients in Bernstein form, or in rational form
+/// without a pole in [0, 1]; degree >= 1. Distances of a rational curve that agree to 1000 bits count as equal.
 ExactProjection projection(const CurveView<double>& curve, std::span<const double> point);
 
 /// The error of a foot point at t with its claimed distance, rounded once to `format`: |distance - d|, d the least
@@ -46,8 +51,9 @@ ExactProjection projection(const CurveView<double>& curve, std::span<const doubl
 double foot_error(const Format& format, double t, double distance, const ExactProjection& exact);
 
 /// The residual |(C - P).C'| at t, over u D (|C - P| + D t + 2 n u M), with D `largest_speed`, M `largest_coordinate`
-/// and u = 2^-53, rounded to `error_format`: these are a rounding of C', one of t and, next to the curve, those of C -
-/// P that remain where u^2 counts. At an end from which the distance rises it is 0, outside [0, 1] infinite.
+/// and u = 2^-53, rounded to `error_format`, for a curve that is not rational: these are a rounding of C', one of t
+/// and, next to the curve, those of C - P that remain where u^2 counts. At an end from which the distance rises it is
+/// 0, outside [0, 1] infinite.
 double foot_residual(double t, const ExactProjection& exact);
 
 /// |a - sqrt(b)| for a double a >= 0 and b >= 0, rounded once to `format`, with the root cut to 256 bits.

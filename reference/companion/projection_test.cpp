@@ -105,6 +105,70 @@ TEST(ExactProjection, OntoACurveThatIsAPoint) {
   EXPECT_EQ(distance_of(exact.foot()), 3);
 }
 
+ExactProjection project(const std::vector<double>& points, const std::vector<double>& weights,
+                        const std::vector<double>& point) {
+  const int d = static_cast<int>(point.size());
+  return projection({Form::rational, d, static_cast<int>(weights.size()) - 1, points, weights}, point);
+}
+
+/// On the circle ((1 - t^2) / (1 + t^2), 2t / (1 + t^2)) the foot of (3, 4) is at t = 1/2, where the tangent of the
+/// angle is 4/3.
+TEST(ExactProjection, OntoAQuarterCircle) {
+  const std::vector<double> circle{1, 0, 1, 1, 0, 1};
+  const std::vector<double> weights{-1, -1, -2};
+  const auto far = project(circle, weights, {3, 4});
+  EXPECT_EQ(t_of(far.foot()), 0.5);
+  EXPECT_EQ(distance_of(far.foot()), 4);
+  EXPECT_EQ(far.critical.size(), 3U);
+  const auto diagonal = project(circle, weights, {2, 2});  // t = tan(pi / 8), the distance sqrt(8) - 1
+  EXPECT_DOUBLE_EQ(t_of(diagonal.foot()), std::sqrt(2.0) - 1);
+  EXPECT_DOUBLE_EQ(distance_of(diagonal.foot()), std::sqrt(8.0) - 1);
+  EXPECT_NEAR(distance_of(project(circle, weights, {0.6, 0.8}).foot()), 2.2204e-17, 1e-20);  // the point is rounded
+  const auto centre = project(circle, weights, {0, 0});
+  EXPECT_EQ(t_of(centre.foot()), 0);
+  EXPECT_EQ(distance_of(centre.foot()), 1);
+  const auto behind = project(circle, weights, {-1, -1});  // both ends are as near
+  EXPECT_EQ(behind.nearest, 0U);
+  EXPECT_EQ(distance_of(behind.foot()), std::sqrt(5.0));
+  EXPECT_EQ(foot_error(binary64, 0.5, 4.25, far), 0.25);
+  EXPECT_NEAR(foot_error(binary64, 0, 4, far), std::sqrt(20.0) - 4, 1e-15);
+}
+
+/// 1 / (1 - 3t + 3t^2) is 2 at 1/2 -+ sqrt(1/12) and at no rational parameter: both feet are as near, the first counts.
+TEST(ExactProjection, OfEquallyNearPointsOfARationalCurveItTakesTheFirst) {
+  const auto both = project({1, -2, 1}, {1, -0.5, 1}, {2});
+  EXPECT_NEAR(t_of(both.foot()), (1 - std::sqrt(1 / 3.0)) / 2, 1e-15);
+  EXPECT_EQ(distance_of(both.foot()), 0);
+}
+
+TEST(ExactProjection, NoSampleOfARationalCurveIsNearer) {
+  std::mt19937_64 words(15);
+  ExactCurve exact_curve;
+  for (int trial = 0; trial < 40; ++trial) {
+    const int n = 1 + trial % 5;
+    std::vector<double> points;
+    std::vector<double> weights;
+    for (int i = 0; i <= n; ++i) {
+      for (int axis = 0; axis < 2; ++axis) points.push_back(static_cast<double>(words() >> 11U) * 0x1p-53);
+      const bool small = trial % 2 == 1 && i > 0 && i < n;  // of both signs, without a pole
+      weights.push_back(small ? -std::ldexp(1.0, -4 - i) : 1 + static_cast<double>(words() >> 11U) * 0x1p-53);
+    }
+    const std::vector<double> point{0.5, static_cast<double>(trial % 7)};
+    const auto exact = project(points, weights, point);
+    const double least = distance_of(exact.foot());
+    for (int k = 0; k <= 256; ++k) {
+      const auto& there = exact_curve.point({Form::rational, 2, n, points, weights}, k / 256.0);
+      Rational square;
+      for (int axis = 0; axis < 2; ++axis) {
+        const Rational offset = there.coordinate(axis) - exactly(point[static_cast<std::size_t>(axis)]);
+        square = square + offset * offset;
+      }
+      EXPECT_GE(square_root(binary64, square), least * (1 - 0x1p-52)) << "trial " << trial << " k " << k;
+      EXPECT_EQ(square_root(binary64, square), square_root(binary64, exact.distance_squared_at(k / 256.0)));
+    }
+  }
+}
+
 /// No point of a fine grid is nearer, and the foot point is as far as the exact curve says it is.
 TEST(ExactProjection, NoSampleIsNearer) {
   std::mt19937_64 words(5);

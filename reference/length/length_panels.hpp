@@ -17,7 +17,8 @@
 namespace bezierbench::reference {
 
 /// Of `curve` (Bernstein or rational form, finite, dimension at most 3), over the parameters 0 <= from <= to <= 1:
-/// differences of the control points, exact except for roundings. Of a rational curve U = A'W - AW' and W, whose control points are
+/// differences of the control points, exact except for roundings. Of a rational curve U = A'W - AW' and W, whose
+/// control points are
 ///   U_k = sum_(i<j, i+j=k+1) (j - i) C(n,i) C(n,j) / C(2n-2,k) w_i w_j (b_j - b_i).
 template <class Real>
 Hodograph<Real> hodograph(const CurveView<double>& curve, double from, double to);

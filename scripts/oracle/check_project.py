@@ -20,6 +20,7 @@ COLUMNS = "method,t,distance,candidates,exact_t,exact_distance,error".split(",")
 GRID = 128
 ALWAYS = {"quintic_isolate", "quintic_companion", "quintic_durand_kerner", "quintic_jenkins_traub", "subdivide_hull", "scan_bisect",
           "scan_refine", "scan_length", "seed_004_scan", "seed_004_subdivide"}
+RATIONAL = {"subdivide_hull", "scan_bisect", "scan_refine"}
 
 
 def point_at(points, t):
@@ -29,14 +30,21 @@ def point_at(points, t):
     return points[0]
 
 
-def squared_distance(points, target, t):
-    return sum((a - b) ** 2 for a, b in zip(point_at(points, t), target))
+def on_curve(lifted, t):
+    """The point at t of a curve whose control points are followed by their weights and multiplied with them."""
+    *point, weight = point_at(lifted, t)
+    return [x / weight for x in point]
 
 
-def slope(points, target, t):
-    """(C - P).C' / n."""
-    difference = [[b - a for a, b in zip(p, q)] for p, q in zip(points, points[1:])]
-    return sum((a - b) * v for a, b, v in zip(point_at(points, t), target, point_at(difference, t)))
+def squared_distance(lifted, target, t):
+    return sum((a - b) ** 2 for a, b in zip(on_curve(lifted, t), target))
+
+
+def slope(lifted, target, t):
+    """(C - P).C' W / n: C' is (A' - C W') / W."""
+    difference = [[b - a for a, b in zip(p, q)] for p, q in zip(lifted, lifted[1:])]
+    (*velocity, change), sign = point_at(difference, t), point_at(lifted, t)[-1]
+    return sum((a - b) * (v - a * change) for a, b, v in zip(on_curve(lifted, t), target, velocity)) / sign
 
 
 KINDS = (uniform, integers, graded, straight, constant, mirrored)
@@ -80,17 +88,33 @@ def cases(seed):
             yield tie.__name__, points, integers(draw, 0, len(points[0]))[0], centre
 
 
-def judge(program, points, target, centre=0):
+def rational_cases(seed):
+    """Yields (name, control points, point, weights): positive weights, and ones of both signs without a pole."""
+    draw = random.Random(seed)
+    yield "quarter circle", [[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]], [3.0, 4.0], [1.0, 1.0, 2.0]
+    for kind in (uniform, integers, mirrored, constant):
+        for n in (1, 2, 3, 4, 5):
+            points = kind(draw, n, 1 + draw.randrange(3))
+            inner = (lambda: draw.uniform(-1, 1) / n) if n % 2 else (lambda: draw.uniform(0.25, 4))
+            weights = [draw.uniform(1, 2) if i in (0, n) else inner() for i in range(n + 1)]
+            yield f"{kind.__name__} {n}", points, uniform(draw, 0, len(points[0]))[0], weights
+
+
+def judge(program, points, target, centre=0, weights=None):
     """Yields what is wrong with the program's rows, one line each."""
-    rows, _ = program.ask("project", "--curve", points, "--point=" + ",".join(x.hex() for x in target))
-    exact_points, exact_target = [list(map(Fraction, p)) for p in points], list(map(Fraction, target))
+    given = [[*p, w] for p, w in zip(points, weights)] if weights else points
+    rows, _ = program.ask("project", "--curve", given, "--point=" + ",".join(x.hex() for x in target),
+                          columns=[*"xyz"[:len(target)], "w"])
+    exact_target = list(map(Fraction, target))
+    exact_points = [[*(Fraction(x) * Fraction(w) for x in p), Fraction(w)] for p, w in zip(points, weights or [1] * len(points))]
     size = max(abs(x) for p in [*points, target] for x in p) or 1.0
     methods = {row["method"] for row in rows}
-    if not rows or list(rows[0]) != [*COLUMNS, *"xyz"[:len(target)]] or not ALWAYS <= methods or ("quintic_seed_002" in methods) != (len(points) == 4):
+    if not rows or list(rows[0]) != [*COLUMNS, *"xyz"[:len(target)]] or not (RATIONAL if weights else ALWAYS) <= methods or (
+            ("quintic_seed_002" in methods) != (len(points) == 4 and not weights)):
         yield f"columns or methods: {rows[:1]} {sorted(methods)}"
         return
     for row in rows:
-        truth = point_at(exact_points, Fraction(float(row["t"])))
+        truth = on_curve(exact_points, Fraction(float(row["t"])))
         if any(abs(Fraction(float(row[axis])) - x) > Fraction(size) / 2**50 for axis, x in zip("xyz", truth)):
             yield f"{row['method']}: the point at t = {row['t']} is not that of the curve"
     t, distance = Fraction(float(rows[0]["exact_t"])), float(rows[0]["exact_distance"])
@@ -115,13 +139,15 @@ def judge(program, points, target, centre=0):
         error = place if place > 2 * said + 2.0**-50 * distance else said  # error of the distance or, if larger, of the place
         if abs(float(row["error"]) - error) > 2.0**-50 * (distance + error):
             yield f"{row['method']}: error {row['error']}, not {error}"
-        if abs(there - float(row["distance"])) > 2.0**-50 * there + 2.0**-97 * size:  # u and c_2 u^2, c_2 < 2^9
+        if abs(there - float(row["distance"])) > 2.0**-50 * there + (2.0**-44 if weights else 2.0**-97) * size:  # u and c_2 u^2, c_2 < 2^9
             yield f"{row['method']}: distance {row['distance']}, but {there} at t = {row['t']}"
         if row["method"] == "quintic_isolate" and float(row["error"]) > 4 * 2.0**-52 * size:
             yield f"quintic_isolate is {float(row['error']) / size * 2**52} units off"
 
 
 def questions(program, seed):
+    for name, points, target, weights in rational_cases(seed):
+        yield f"{name} {points} {target} {weights}", judge(program, points, target, 0, weights)
     for name, *question in cases(seed):
         yield " ".join(map(str, (name, *question))), judge(program, *question)
 

@@ -94,28 +94,28 @@ def _point(point: ArrayLike, curve: GivenCurve) -> Array:
     return coordinates
 
 
-def project(points: ArrayLike, point: ArrayLike, method: str = "subdivide_hull") -> Foot:
-    """The nearest point of a Bezier curve to `point`."""
-    curve = GivenCurve(points)
+def project(points: ArrayLike, point: ArrayLike, method: str = "subdivide_hull", *, weights: ArrayLike | None = None) -> Foot:
+    """The nearest point of a Bezier curve, with `weights` of a rational one, to `point`."""
+    curve = GivenCurve(points, weights=weights)
     at = _point(point, curve)
     found = FootEntry()
     check(library.bb_project(method.encode(), curve.pointer, address(at), ctypes.byref(found)))
     return Foot(found.t, found.distance, found.candidates, bool(found.converged))
 
 
-def exact_project(points: ArrayLike, point: ArrayLike) -> ExactFoot:
+def exact_project(points: ArrayLike, point: ArrayLike, *, weights: ArrayLike | None = None) -> ExactFoot:
     """The true nearest point, of equally near ones the first: its parameter and distance, each rounded once."""
-    curve = GivenCurve(points)
+    curve = GivenCurve(points, weights=weights)
     at = _point(point, curve)
     t, distance = ctypes.c_double(), ctypes.c_double()
     _check_truth(curve, lambda: library.bb_exact_project(curve.pointer, address(at), ctypes.byref(t), ctypes.byref(distance)))
     return ExactFoot(t.value, distance.value)
 
 
-def project_error(points: ArrayLike, point: ArrayLike, t: float, distance: float) -> float:
+def project_error(points: ArrayLike, point: ArrayLike, t: float, distance: float, *, weights: ArrayLike | None = None) -> float:
     """The error of a foot: |distance - true distance|, or how much farther than the nearest point the curve is at t, where
     that is more than twice as much."""
-    curve = GivenCurve(points)
+    curve = GivenCurve(points, weights=weights)
     at = _point(point, curve)
     error = ctypes.c_double()
     _check_truth(curve, lambda: library.bb_project_error(curve.pointer, address(at), t, distance, ctypes.byref(error)))

@@ -111,6 +111,7 @@ void refuse_curve(const std::string& name, const CurveFile& curve, const MethodI
   if (curve.form == Form::rational)
     why = fmt::format(
         "no method for {} takes rational curves (column w); `curve eval`, `derivative`, `length`, `at-length`, "
+        "`project`, "
         "`split` and `box` do",
         problem);
   else if (curve.form == Form::power)

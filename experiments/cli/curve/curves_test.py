@@ -360,6 +360,14 @@ class Curves(Case):
         for part in (["--to", "0.25"], ["--from", "0.75"]):
             self.assertTrue(rows(self.fine("curve", "length", "--curve", "p.csv", *part))[0]["exact"])
 
+    def test_project_on_rational_curves(self):
+        self.write("q.csv", "x,y,w\n1,0,1\n1,1,1\n0,1,2\n")
+        for row in rows(self.fine("curve", "project", "--curve", "q.csv", "--point", "3,4")):
+            self.assertEqual((row["exact_t"], row["exact_distance"]), ("0.5", "4"))
+            self.assertLess(float(row["error"]), 1e-14, row)
+        self.write("p.csv", "x,y,w\n1,0,1\n1,1,-1\n0,1,1\n")
+        self.refused(USAGE, ["curve", "project", "--curve", "p.csv", "--point", "3,4"], "p.csv", "pole", "t = 0.5")
+
     def test_lengths_of_any_finite_curve(self):
         """What is certain is printed; one line states what is not. The results of the methods are printed in any case."""
         line = rows(self.fine("curve", "length", "--curve", self.write("line.csv", "x\n1\n2\n")))
@@ -495,7 +503,7 @@ class Curves(Case):
         found = rows(self.fine(*project, "--point", "6,4"))
         self.assertEqual(list(found[0]), PROJECT_COLUMNS + ["x", "y"])
         self.assertEqual([row["method"] for row in found],
-                         [row["id"] for row in self.our_methods() if row["problem"] == "projection"])
+                         [row["id"] for row in self.our_methods() if (row["problem"], row["form"]) == ("projection", "bernstein")])
         for arguments, *needles in [
                 (["--point", "6"], "--point 6", "2"), (["--point", "6,4,1"], "3 coordinates"), (["--point", "6,nan"], "--point"),
                 (["--point", ""], "--point"), (["--point", "6,"], "--point"), (["--point", "6,4", "--method", "direct"], "direct"),

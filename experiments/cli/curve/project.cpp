@@ -85,6 +85,7 @@ void say_unless_converged(const ProjectionKernel& method, const FootPoint& foot)
 
 void Project::add_rows(const CurveCase<ProjectionKernel>& one, CurveTable& table) const {
   const auto curve = one.curve.view();
+  refuse_pole(curve, 0, 1, one.name);
   std::vector<std::vector<double>> from;
   std::vector<ExactFoot> exact(questions());
   for (std::size_t k = 0; k < questions(); ++k) {
@@ -109,6 +110,7 @@ Project::PathTruth Project::truth_of(std::size_t question,
   PathTruth path{std::vector<ExactFoot>(segments.size()), {}};
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const auto curve = segments[s].curve.view();
+    refuse_pole(curve, 0, 1, segments[s].name);
     const auto from = point(question, segments[s]);
     auto& exact = path.exact[s];
     if (!truth.finishes(segments[s].name, curve.degree, [&] { exact = reference::projection(curve, from); }))

@@ -267,7 +267,8 @@ typedef struct bb_parameter {
 BB_API int bb_at_length(const char* method, const bb_curve* curve, double length, double tolerance,
                         bb_parameter* found);
 
-/* ---- Projection of a point on a Bezier curve (BB_BERNSTEIN, degree at least 1) ---- */
+/* ---- Projection of a point on a curve with control points (BB_BERNSTEIN or BB_RATIONAL, degree at least 1) ----
+ * BB_ERROR_NO_POINT where a rational curve has a pole in [0, 1]. */
 
 typedef struct bb_foot {
   double t;        /* in [0,1] */

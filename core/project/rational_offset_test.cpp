@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Foot points on rational curves: known ones, and no point of the curve nearer than the truth says.
+#include "core/project/rational_offset.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/evaluate/evaluation_test.hpp"
+#include "core/project/kernel.hpp"
+#include "reference/companion/pole.hpp"
+#include "reference/companion/projection.hpp"
+#include "reference/exact_curve.hpp"
+
+namespace bezierbench {
+namespace {
+
+std::vector<ProjectionKernel> rational_methods(int dimension) {
+  std::vector<ProjectionKernel> methods;
+  for (const auto& kernel : projection_kernels(dimension))
+    if (kernel.info->form == Form::rational) methods.push_back(kernel);
+  EXPECT_GE(methods.size(), 3U);
+  return methods;
+}
+
+/// On the circle ((1 - t^2) / (1 + t^2), 2t / (1 + t^2)) the foot of r (cos a, sin a) is at tan(a / 2), |r - 1| away.
+TEST(RationalProjection, OntoTheQuarterCircle) {
+  for (const double size : {0x1p-1000, 1.0, 0x1p+1000})
+    for (const double weight : {1.0, -0x1p-600}) {
+      const std::vector<double> points{size, 0, size, size, 0, size};
+      const std::vector<double> weights{weight, weight, 2 * weight};
+      const CurveView<double> circle{Form::rational, 2, 2, points, weights};
+      for (const auto& kernel : rational_methods(2)) {
+        for (const double angle : {0.1, 0.7, 1.5})
+          for (const double radius : {0.25, 1.0, 7.0}) {
+            const std::vector<double> point{radius * std::cos(angle) * size, radius * std::sin(angle) * size};
+            const auto foot = kernel.project(circle, point);
+            EXPECT_TRUE(foot.converged) << kernel.info->id;
+            EXPECT_NEAR(foot.t, std::tan(angle / 2), 1e-14) << kernel.info->id << " " << radius;
+            EXPECT_NEAR(foot.distance / size, std::abs(radius - 1), 4e-15) << kernel.info->id;
+          }
+        const std::vector<double> centre{0, 0};
+        EXPECT_NEAR(kernel.project(circle, centre).distance / size, 1, 1e-15) << kernel.info->id;
+        const std::vector<double> behind{-size, -size};
+        EXPECT_NEAR(kernel.project(circle, behind).distance / size, std::sqrt(5.0), 1e-14);
+      }
+    }
+}
+
+/// Weights of one size, over forty binades and of both signs; points anywhere and next to the curve.
+TEST(RationalProjection, SubdivisionMissesNothing) {
+  Inputs inputs(21);
+  reference::ExactCurve exact_curve;
+  int with_signs = 0;
+  for (int trial = 0; trial < 1500; ++trial) {
+    const int d = 1 + trial % 3;
+    const int n = 1 + trial % 6;
+    const auto points = inputs.coefficients(n, d);
+    auto point = inputs.coefficients(0, d);
+    std::vector<double> weights;
+    for (int i = 0; i <= n; ++i) {
+      const double mild = 1 + inputs.unit();
+      const double wild = std::ldexp(mild, static_cast<int>(20 * inputs.symmetric()));
+      const bool inside = i > 0 && i < n;
+      weights.push_back(trial % 4 == 1 ? wild : trial % 4 == 3 && inside ? inputs.symmetric() : mild);
+    }
+    const CurveView<double> curve{Form::rational, d, n, points, weights};
+    if (reference::pole(curve)) continue;
+    with_signs += std::ranges::any_of(weights, [](double w) { return w < 0; }) ? 1 : 0;
+    if (trial % 5 == 0) {
+      const auto& on_curve = exact_curve.point(curve, inputs.unit());
+      for (int axis = 0; axis < d; ++axis)
+        point[static_cast<std::size_t>(axis)] = reference::round_to(reference::binary64, on_curve.coordinate(axis));
+    }
+    const auto truth = reference::projection(curve, point);
+    for (const auto& kernel : rational_methods(d)) {
+      const auto foot = kernel.project(curve, point);
+      const double error = reference::distance_error(reference::binary64, foot.distance, truth.foot().distance_squared);
+      const double least = reference::square_root(reference::binary64, truth.foot().distance_squared);
+      const auto what = std::string(kernel.info->id) + " trial " + std::to_string(trial);
+      EXPECT_GE(foot.distance, least - 0x1p-46) << what;
+      if (kernel.info->id != "subdivide_hull") continue;
+      EXPECT_TRUE(foot.converged) << what;
+      // Where few weights dominate, the curve passes most of its length between two neighbouring t.
+      const double t_error = std::abs(foot.t - reference::round_to(reference::binary64, truth.foot().t));
+      EXPECT_TRUE(error <= (trial % 4 == 3 ? 0x1p-40 : 0x1p-46) || t_error <= 0x1p-52) << what << " " << error;
+    }
+  }
+  EXPECT_GT(with_signs, 50);
+}
+
+TEST(RationalProjection, OntoACurveThatIsAPoint) {
+  const std::vector<double> points{1, 2, 3, 1, 2, 3, 1, 2, 3};
+  const std::vector<double> weights{1, -0.5, 1};
+  for (const auto& kernel : rational_methods(3)) {
+    const std::vector<double> point{3, 4, 4};
+    EXPECT_NEAR(kernel.project({Form::rational, 3, 2, points, weights}, point).distance, 3, 1e-15) << kernel.info->id;
+  }
+}
+
+}  // namespace
+}  // namespace bezierbench
