@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A rational B-spline curve (NURBS) is a polynomial one in homogeneous coordinates: (w_i d_i, w_i), the last one divides
-// the others.
+// A rational B-spline curve (NURBS) is a polynomial one in homogeneous coordinates: (w_i d_i, w_i), the last one
+// divides the others.
 //
 // Source: [Piegl and Tiller 1997], section 4.2.
 // Cost: the polynomial method's in d + 1 dimensions, d (n+1) products and d divisions for each point.

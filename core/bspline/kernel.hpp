@@ -9,8 +9,8 @@
 
 namespace bezierbench {
 
-/// A curve of degree m >= 1 in one knot span, as core/bspline/bspline.hpp describes it. Knots, control points and weights
-/// stay in the caller's memory.
+/// A curve of degree m >= 1 in one knot span, as core/bspline/bspline.hpp describes it. Knots, control points and
+/// weights stay in the caller's memory.
 struct BsplineSpanView {
   int dimension = 2;
   int degree = 1;

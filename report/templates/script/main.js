@@ -53,7 +53,7 @@ addEventListener("hashchange", () => {
     place = location.hash.slice(1);
     const query = new URLSearchParams([...state]).toString();
     if (query) history.replaceState(null, "", `#${place}?${query}`);
-    arrive.disconnect(); // so that it begins anew
+    arrive.disconnect(); // so that it begins again
     arrive.observe(document.querySelector("main"));
     clearTimeout(arrived);
     arrived = setTimeout(() => arrive.disconnect(), 3000);
