@@ -515,7 +515,7 @@ class Curves(Case):
         self.refused(USAGE, project + ["--point", "1,2,3", "--method", "quintic_seed_002"], "quintic_seed_002", "degree 1")
         self.assertEqual(len(rows(self.fine(*project, "--point", "1,2,-3"))), 10)
         self.write("c.csv", "x,y,w\n8,5,1\n-4,0,2\n")
-        self.refused(USAGE, project + ["--point", "1,2"], "rational", "column w")
+        self.refused(USAGE, project + ["--point", "1,2", "--method", "quintic_isolate"], "rational", "column w")
         self.refused(INPUT_OUTPUT, ["curve", "project", "--curve", "absent.csv", "--point", "1,2"], "absent.csv")
 
     def test_answers_do_not_wait_for_truths_of_high_degrees(self):
