@@ -37,7 +37,7 @@ struct ExactProjection {
   Rational largest_coordinate;  ///< of the control points and of P
   int degree = 0;
 
-  /// At a finite t that is no pole.
+  /// At a finite t where W is not 0.
   [[nodiscard]] Rational distance_squared_at(double t) const;
 };
 
