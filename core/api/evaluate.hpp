@@ -87,16 +87,16 @@ inline constexpr bool warns_of_slow_fma = false;
 #else
 inline constexpr bool warns_of_slow_fma = true;
 #endif
-inline void compile_fused(std::false_type /*warns*/) {}
+inline void use_of_fma(std::false_type /*warns*/) {}
 [[deprecated(
     "bezierbench: this method is fused, and std::fma is a call with these options, several times slower: compile with "
     "-march=x86-64-v3 or define BEZIERBENCH_SLOW_FMA")]] inline void
-compile_fused(std::true_type /*warns*/) {}
+use_of_fma(std::true_type /*warns*/) {}
 
 /// Warns where a fused method is named that the compiler's options make slow.
 template <class Method>
-void compile_named() {
-  compile_fused(std::bool_constant<(Method::info.fused && warns_of_slow_fma)>{});
+void warn_of_slow_fma() {
+  use_of_fma(std::bool_constant<(Method::info.fused && warns_of_slow_fma)>{});
 }
 
 /// Prepares and evaluates.
@@ -120,7 +120,7 @@ class PreparedCurve {
 
   explicit PreparedCurve(const Points& points)
       : state_(Method::prepare(detail::curve_of<Method::info.form>(points, detail::degree_for<Method>(points)))) {
-    detail::compile_named<Method>();
+    detail::warn_of_slow_fma<Method>();
   }
 
   /// The point at t.
@@ -146,7 +146,7 @@ template <Evaluator Method, ControlPoints Points>
 requires(Method::info.form !=
          Form::rational) PointOf<Points> evaluate(const Points& points,
                                                   const std::type_identity_t<ScalarOf<Points>>& t) {
-  detail::compile_named<Method>();
+  detail::warn_of_slow_fma<Method>();
   return detail::point_of<Method>(detail::curve_of<Method::info.form>(points, detail::degree_for<Method>(points)), t);
 }
 
@@ -155,7 +155,7 @@ template <Evaluator Method, ControlPoints Points, WeightsOf<Points> Weights>
 requires(Method::info.form ==
          Form::rational) PointOf<Points> evaluate(const Points& points, const Weights& weights,
                                                   const std::type_identity_t<ScalarOf<Points>>& t) {
-  detail::compile_named<Method>();
+  detail::warn_of_slow_fma<Method>();
   return detail::point_of<Method>(detail::curve_of(points, weights, detail::degree_for<Method>(points)), t);
 }
 

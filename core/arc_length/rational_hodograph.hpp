@@ -117,8 +117,8 @@ bool is_zero(const RationalHodograph<Dimension>& r) {
   return is_zero(r.h);
 }
 
-/// Scales U and W by powers of two such that their largest coordinates are in [1/2, 1). Returns the exponent of the
-/// factor taken out of the speed.
+/// Divides U and W by powers of two, so that the largest coordinate of each is in [1/2, 1). Returns the e with which
+/// the speed |U| / W^2 is 2^e times that of the result.
 template <int Dimension>
 int normalise(RationalHodograph<Dimension>& r) {
   const int exponent = normalise(r.h);

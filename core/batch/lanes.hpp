@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Many numbers as one scalar. Instantiated with it, the methods' own headers evaluate at many parameters t at once, on
-// one curve or on a curve for each; experiments/metric/scale_lanes.cpp computes the scales of many trials. Each target
-// includes this in translation units compiled for it; the namespace has the target's name, so that no two targets share
-// an inline function.
+// Many numbers as one scalar. The methods' own headers, instantiated with it, evaluate many points at once: one curve
+// at many t, or many curves at one t each. experiments/metric/scale_lanes.cpp computes the scales of many trials.
+//
+// Each target (AVX2, AVX-512, NEON) includes this file in translation units of its own. The namespace has the name of
+// the target, so that no two targets share an inline function.
 #pragma once
 
 #include <hwy/highway.h>
@@ -91,7 +92,8 @@ HWY_INLINE Lanes<Number, Count, held> value_or(const typename Lanes<Number, Coun
   return L::load(values);
 }
 
-/// `result`, but in lanes where it is NaN, which should be few, what `settle` says of their t.
+/// The lanes of `result` that are numbers. A lane that is NaN becomes `settle(t)` with the t of that lane, one after
+/// the other, so that few should be.
 template <class Number, int Count, Held held, class Settle>
 HWY_INLINE Lanes<Number, Count, held> or_else(const Lanes<Number, Count, held>& result,
                                               const Lanes<Number, Count, held>& t, const Settle& settle) {

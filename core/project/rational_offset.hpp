@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Formula: of a rational curve C = A / W relative to the point, C - P = V / W with V = sum w_i (b_i - P) B_i, and
-//   (C - P).C' = V.U / W^3 with U = V'W - VW' = A'W - AW' of core/arc_length/rational_hodograph.hpp. V.U has degree
-//   3n - 2.
+// A rational curve C = A / W relative to the point P.
+//
+// Formula: C - P = V / W with V = sum w_i (b_i - P) B_i. Its derivative is C' = U / W^2 with U = V'W - VW', which is
+//   A'W - AW' of core/arc_length/rational_hodograph.hpp, since V = A - P W. So (C - P).C' = V.U / W^3. The roots of V.U
+//   are the feet of P; its degree is 3n - 2.
 // Source: derived here, from the quotient rule ([Piegl and Tiller 1997], eq. (4.8)).
 // Cost: n^2 (2d + 4) / 2 flops once; a distance costs a point of degree n on d + 1 axes.
 // Bound: V is off by (3n + 2) u of sum |w_i| |b_i - P| B_i: a distance by some n u of the largest |b_i - P|.

@@ -54,8 +54,9 @@ class CurveInMemory {
   [[nodiscard, gnu::always_inline]] Scalar operator()(int axis, int i) const {
     return Read::read(first_ + static_cast<std::ptrdiff_t>(i * DimensionT + axis) * Read::axes);
   }
-  /// Coefficient degree() - k. Its address is that of the last one less a constant where k is one: compilers would
-  /// compute the addresses of degree() - 0, degree() - 1, ... all in advance, for every call, or each from the degree.
+  /// Coefficient degree() - k. Its address is counted from that of the last coefficient, which is kept: where k is a
+  /// constant, that is one subtraction of a constant. From the degree, compilers compute each address again, or all of
+  /// them before the first step.
   [[nodiscard, gnu::always_inline]] Scalar from_end(int axis, int k) const {
     const Number* const last = DegreeT == dynamic ? last_ : first_ + DegreeT * DimensionT * Read::axes;
     return Read::read(last + static_cast<std::ptrdiff_t>(axis - k * DimensionT) * Read::axes);

@@ -78,7 +78,7 @@ void close(BsplineCurve& curve, int degree, const std::string& file) {
     curve.knots.push_back(one[k] + period);
   }
   const auto repeat = [n](std::vector<double>& numbers, std::size_t each) {
-    for (std::size_t k = 0; k < n * each; ++k) numbers.push_back(double(numbers[k]));
+    for (std::size_t k = 0; k < n * each; ++k) numbers.push_back(numbers[k]);
   };
   repeat(curve.points.coordinates, static_cast<std::size_t>(curve.points.dimension));
   if (!curve.weights.empty()) repeat(curve.weights, 1);
