@@ -21,31 +21,27 @@ constexpr const BsplineBound* bound_of() {
     return nullptr;
 }
 
-/// Where `solve` writes next.
-struct Output {
-  double* next;
-
-  template <class Scalar, int Dimension>
-  void write(const Point<Scalar, Dimension>& point) {
-    for (int axis = 0; axis < Dimension; ++axis) *next++ = point[axis];
-  }
-};
+/// Writes a point at `next`, which moves behind it.
+template <class Scalar, int Dimension>
+void write(const Point<Scalar, Dimension>& point, double*& next) {
+  for (int axis = 0; axis < Dimension; ++axis) *next++ = point[axis];
+}
 
 /// Writes what the method finds; `point_from` makes a point of the curve from one that the method has.
 template <class M, int Dimension, class PointFrom>
-void write_solved(const BsplineSpan<double, Dimension>& span, double t, const PointFrom& point_from, Output& output) {
+void write_solved(const BsplineSpan<double, Dimension>& span, double t, const PointFrom& point_from, double* next) {
   if constexpr (BsplineConversion<M>) {
     const auto bernstein = M::convert(span);
-    output.write(point_from(point_of_span(bernstein, span.begin(), span.end(), t)));
+    write(point_from(point_of_span(bernstein, span.begin(), span.end(), t)), next);
     for (int i = 0; i <= span.degree(); ++i) {
       Point<double, Dimension> point;
       for (int axis = 0; axis < Dimension; ++axis) point[axis] = bernstein(axis, i);
-      output.write(point_from(point));
+      write(point_from(point), next);
     }
     constexpr bool homogeneous = !std::same_as<PointFrom, std::identity>;
-    for (int i = 0; homogeneous && i <= span.degree(); ++i) *output.next++ = bernstein(Dimension - 1, i);
+    for (int i = 0; homogeneous && i <= span.degree(); ++i) *next++ = bernstein(Dimension - 1, i);
   } else {
-    output.write(point_from(M::evaluate(span, t)));
+    write(point_from(M::evaluate(span, t)), next);
   }
 }
 
@@ -70,8 +66,7 @@ struct MakeKernel {
     BsplineSpan<double, Dimension> span(view.knots);
     instantiate::fill(CurveView<double>{Form::bernstein, Dimension, view.degree, view.control_points},
                       span.control_points);
-    Output output{coordinates};
-    write_solved<M>(span, t, std::identity(), output);
+    write_solved<M>(span, t, std::identity(), coordinates);
   }
   template <class M, int Dimension>
   static void solve_rational(const BsplineSpanView& view, double t, double* coordinates) {
@@ -83,8 +78,7 @@ struct MakeKernel {
         span.control_points(axis, i) = weight * view.control_points[static_cast<std::size_t>(k++)];
       span.control_points(Dimension, i) = weight;
     }
-    Output output{coordinates};
-    write_solved<M>(span, t, over_last<double, Dimension + 1>, output);
+    write_solved<M>(span, t, over_last<double, Dimension + 1>, coordinates);
   }
 };
 
