@@ -53,6 +53,7 @@ struct ManyPoints {
   static constexpr int largest_degree = max_degree_of_groups;
   using Vector = VectorOf<Number, lanes>;
   using Tag = hn::ScalableTag<Number>;
+  // The same in memory: a class of Highway's that holds a Vector or, where the compiler does not optimise, an array.
   using Native = hn::Vec<Tag>;
 
   /// A coordinate that all lanes share.
@@ -62,14 +63,22 @@ struct ManyPoints {
     static_assert(HWY_NATIVE_FMA != 0 && Count > 0);  // Count: decided only where this is instantiated
     return hn::MulAdd(Native{a}, Native{b}, Native{c}).raw;
   }
-  static HWY_INLINE Vector square_root(const Vector& a) { return hn::Sqrt(Native{a}).raw; }
+  static HWY_INLINE Vector square_root(const Vector& a) {
+    return std::bit_cast<Vector>(hn::Sqrt(std::bit_cast<Native>(a)));
+  }
   template <class Truths>
   static HWY_INLINE bool all(const Truths& truths) {
-    return hn::AllTrue(Tag(), hn::MaskFromVec(Native{std::bit_cast<Vector>(truths)}));
+    if constexpr (lanes == 1)
+      return truths;
+    else
+      return hn::AllTrue(Tag(), hn::MaskFromVec(std::bit_cast<Native>(truths)));
   }
   template <class Truths>
   static HWY_INLINE bool any(const Truths& truths) {
-    return !hn::AllFalse(Tag(), hn::MaskFromVec(Native{std::bit_cast<Vector>(truths)}));
+    if constexpr (lanes == 1)
+      return truths;
+    else
+      return !hn::AllFalse(Tag(), hn::MaskFromVec(std::bit_cast<Native>(truths)));
   }
 };
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <type_traits>
@@ -209,7 +210,7 @@ class Vectors {
   }
   [[nodiscard, gnu::always_inline]] Scalar lane(int k) const {
     if constexpr (Kind::lanes == 1)
-      return vectors_;
+      return detail::vector_of(vectors_, k);
     else
       return detail::vector_of(vectors_, k / Kind::lanes)[k % Kind::lanes];
   }
@@ -242,10 +243,14 @@ class Vectors {
     return each([&](int k) { return Kind::square_root(detail::vector_of(a.vectors_, k)); });
   }
   [[gnu::always_inline]] friend Vectors abs(const Vectors& a) {
-    using Bits = typename Mask::Truths;
     return each([&](int k) {
-      return std::bit_cast<Vector>(std::bit_cast<Bits>(detail::vector_of(a.vectors_, k)) &
-                                   ~std::bit_cast<Bits>(-Vector{}));
+      const Vector& vector = detail::vector_of(a.vectors_, k);
+      if constexpr (Kind::lanes == 1) {
+        return std::abs(vector);
+      } else {
+        using Bits = typename Mask::Truths;
+        return std::bit_cast<Vector>(std::bit_cast<Bits>(vector) & ~std::bit_cast<Bits>(-Vector{}));
+      }
     });
   }
 
