@@ -456,6 +456,58 @@ TEST(C, HalvesAreThoseOfTheCurve) {
   EXPECT_EQ(bb_split("de_casteljau_split", &parabola, infinity, &first, &second), BB_ERROR_NOT_FINITE);
 }
 
+/// The parabola y = x (2 - x), x = 2t, from x = 1 to 2 and back, and as a cubic.
+TEST(C, PartsAndElevatedCurves) {
+  constexpr std::array arch{0.0, 0.0, 1.0, 2.0, 2.0, 0.0};
+  constexpr std::array weights{1.0, 1.0, -1.0};  // 1 - 2 t^2, 0 in the blossom at 1/2 and 1
+  const bb_curve curve{BB_BERNSTEIN, 2, 2, arch.data(), nullptr};
+  std::array<double, 8> points{};
+  const bb_half half{points.data(), nullptr};
+  ASSERT_EQ(bb_part(&curve, 0.5, 1, &half), BB_OK);
+  EXPECT_THAT(points, testing::ElementsAre(1, 1, 1.5, 1, 2, 0, 0, 0));
+  ASSERT_EQ(bb_part(&curve, 1, 0.5, &half), BB_OK);
+  EXPECT_THAT(points, testing::ElementsAre(2, 0, 1.5, 1, 1, 1, 0, 0));
+  ASSERT_EQ(bb_elevate(&curve, 3, &half), BB_OK);
+  EXPECT_THAT(points, testing::ElementsAre(0, 0, 2.0 / 3, 4.0 / 3, 4.0 / 3, 4.0 / 3, 2, 0));
+  const bb_curve rational{BB_RATIONAL, 2, 2, arch.data(), weights.data()};
+  EXPECT_EQ(bb_part(&rational, 0, 0.5, &half), BB_ERROR_NULL);
+  EXPECT_EQ(bb_part(&rational, 0.5, 1, &half), BB_ERROR_NO_POINT);
+  EXPECT_EQ(bb_part(&curve, 0, infinity, &half), BB_ERROR_NOT_FINITE);
+  EXPECT_EQ(bb_elevate(&curve, 1, &half), BB_ERROR_DEGREE);
+  const bb_curve power{BB_POWER, 2, 2, arch.data(), nullptr};
+  EXPECT_EQ(bb_elevate(&power, 3, &half), BB_ERROR_FORM);
+}
+
+/// y = 1 - 4 t (1-t) touches 0 at t = 1/2; x = 2t.
+TEST(C, RootsHaveMultiplicities) {
+  constexpr std::array touching{0.0, 1.0, 1.0, -1.0, 2.0, 1.0};
+  const bb_curve curve{BB_BERNSTEIN, 2, 2, touching.data(), nullptr};
+  std::array<double, 2> t{7, 7};
+  std::array<int, 2> multiplicities{7, 7};
+  std::size_t count = 7;
+  const auto roots = [&](const bb_curve& of_curve, int of, int axis, double value) {
+    return bb_roots(&of_curve, of, axis, value, t.data(), multiplicities.data(), t.size(), &count);
+  };
+  ASSERT_EQ(roots(curve, BB_ROOTS_OF_VALUE, 1, 0), BB_OK);
+  EXPECT_THAT(std::make_tuple(count, t[0], multiplicities[0], t[1]), testing::FieldsAre(1, 0.5, 2, 7));
+  ASSERT_EQ(roots(curve, BB_ROOTS_OF_VALUE, 0, 0.5), BB_OK);
+  EXPECT_THAT(std::make_tuple(count, t[0], multiplicities[0]), testing::FieldsAre(1, 0.25, 1));
+  ASSERT_EQ(roots(curve, BB_ROOTS_OF_DERIVATIVE, 1, 0), BB_OK);
+  EXPECT_THAT(std::make_tuple(count, t[0], multiplicities[0]), testing::FieldsAre(1, 0.5, 1));
+  ASSERT_EQ(roots(curve, BB_ROOTS_OF_CURVATURE, 0, 0), BB_OK);
+  EXPECT_EQ(count, 0);
+  const bb_curve line{BB_BERNSTEIN, 2, 1, touching.data(), nullptr};
+  ASSERT_EQ(roots(line, BB_ROOTS_OF_CURVATURE, 0, 0), BB_OK);
+  EXPECT_EQ(count, SIZE_MAX);
+  ASSERT_EQ(bb_roots(&curve, BB_ROOTS_OF_VALUE, 1, 0, nullptr, nullptr, 0, &count), BB_OK);
+  EXPECT_EQ(count, 1);
+  EXPECT_EQ(roots(curve, BB_ROOTS_OF_VALUE, 2, 0), BB_ERROR_DIMENSION);
+  EXPECT_EQ(roots(curve, 3, 0, 0), BB_ERROR_PARAMETER);
+  EXPECT_EQ(roots(curve, BB_ROOTS_OF_VALUE, 0, infinity), BB_ERROR_NOT_FINITE);
+  constexpr std::array opposite{1.0, 1.0, -1.0};
+  EXPECT_EQ(roots({BB_RATIONAL, 2, 2, touching.data(), opposite.data()}, BB_ROOTS_OF_VALUE, 0, 0), BB_ERROR_NO_POINT);
+}
+
 /// x = 0, 1, 3 rises. With the weights 1, 1/2, 1 the y of the second curve, 0, 2, 0, is 2 t (1-t) / (1 - t + t^2).
 TEST(C, BoxesContainTheCurve) {
   constexpr std::array arch{0.0, 0.0, 1.0, 2.0, 3.0, 0.0};

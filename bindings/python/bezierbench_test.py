@@ -368,6 +368,30 @@ class Problems(unittest.TestCase):
         with self.assertRaises(ValueError):
             bezierbench.exact_ease(curve, np.inf)
 
+    def test_parts_and_elevated_curves(self):
+        arch = [[0, 0], [1, 2], [2, 0]]
+        found = bezierbench.part(arch, 0.5, 1)
+        self.assertEqual((found.points.tolist(), found.weights), ([[1, 1], [1.5, 1], [2, 0]], None))
+        circle, weights = [[1, 0], [1, 1], [0, 1]], [1, 1, 2]
+        middle = bezierbench.part(circle, 0, 0.5, weights=weights)
+        self.assertEqual((middle.points.tolist(), middle.weights.tolist()), ([[1, 0], [1, 0.5], [0.6, 0.8]], [1, 1, 1.25]))
+        cubic = bezierbench.elevate(circle, 3, weights=weights)
+        self.assertEqual(cubic.weights.tolist(), [1, 1, 4 / 3, 2])
+        self.assertEqual(bezierbench.elevate(arch, 2).points.tolist(), arch)
+        with self.assertRaisesRegex(bezierbench.Error, "degree"):
+            bezierbench.elevate(arch, 1)
+
+    def test_roots_have_multiplicities(self):
+        self.assertEqual(bezierbench.roots([1, -1, 1]), [(0.5, 2)])
+        self.assertEqual(bezierbench.roots([[0, 0], [1, 2], [2, 0]], 1, axis=1), [(0.5, 2)])
+        self.assertEqual(bezierbench.roots([0, 1, -1, 0], of="extrema"), [(0.21132486540518711775, 1), (0.78867513459481288225, 1)])
+        self.assertEqual(bezierbench.roots([[0, 0], [1, 1], [0, 1], [1, 0]], of="inflections"), [(0.5, 2)])
+        self.assertEqual(bezierbench.roots([0, -1, 2], form="power"), [(0, 1), (0.5, 1)])
+        with self.assertRaisesRegex(ValueError, "every parameter"):
+            bezierbench.roots([[0, 0], [1, 1]], of="inflections")
+        with self.assertRaisesRegex(ValueError, "use value, extrema, inflections"):
+            bezierbench.roots([0, 1], of="minima")
+
     def test_every_listed_method_is_there(self):
         problems = {method.problem for method in bezierbench.methods()}
         self.assertEqual(problems, {"evaluation", "derivative", "grid", "subdivision", "arc_length", "inverse_arc_length", "projection",

@@ -42,11 +42,7 @@ class Fraction {
     }
     numerator_ = from_bernstein(points, exponent_);
     denominator_ = from_bernstein(weights, weight_exponent_);
-    slope_ = product(derivative(numerator_), denominator_);
-    const auto other = product(numerator_, derivative(denominator_));
-    slope_.resize(std::max(slope_.size(), other.size()), 0);
-    for (std::size_t i = 0; i < other.size(); ++i) slope_[i] -= other[i];
-    while (!slope_.empty() && slope_.back() == 0) slope_.pop_back();
+    slope_ = difference(product(derivative(numerator_), denominator_), product(numerator_, derivative(denominator_)));
     mpz_class sum = 0;
     for (const auto& c : slope_) sum += abs(c);
     const auto least = exactly(least_weight_);
@@ -78,15 +74,13 @@ class Fraction {
   [[nodiscard]] bool is_at(const RootInterval& root, double c) const {
     const auto exact = exactly(c);
     const auto lowest = std::min(exponent_, weight_exponent_ + exact.exponent);
-    const auto up = [&](const mpz_class& x, long exponent) {
-      return mpz_class(x << static_cast<mp_bitcnt_t>(exponent - lowest));
+    const auto times = [](IntegerPolynomial p, const mpz_class& factor, long exponent) {
+      for (auto& term : p) term = (term * factor) << static_cast<mp_bitcnt_t>(exponent);
+      return p;
     };
-    IntegerPolynomial difference(std::max(numerator_.size(), denominator_.size()));
-    for (std::size_t i = 0; i < numerator_.size(); ++i) difference[i] = up(numerator_[i], exponent_);
-    for (std::size_t i = 0; i < denominator_.size(); ++i)
-      difference[i] -= up(denominator_[i] * exact.numerator, weight_exponent_ + exact.exponent);
-    while (!difference.empty() && difference.back() == 0) difference.pop_back();
-    const auto common = greatest_common_divisor(difference, slope_);
+    const auto off = difference(times(numerator_, 1, exponent_ - lowest),
+                                times(denominator_, exact.numerator, weight_exponent_ + exact.exponent - lowest));
+    const auto common = greatest_common_divisor(off, slope_);
     if (common.size() < 2) return false;
     const auto once = square_free(common);
     return sign_at(once, root.t) * sign_at(once, {root.t.k + 1, root.t.shift}) < 0;

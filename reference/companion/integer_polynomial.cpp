@@ -217,6 +217,13 @@ IntegerPolynomial product(const IntegerPolynomial& a, const IntegerPolynomial& b
   return result;
 }
 
+IntegerPolynomial difference(IntegerPolynomial a, const IntegerPolynomial& b) {
+  a.resize(std::max(a.size(), b.size()), 0);
+  for (std::size_t i = 0; i < b.size(); ++i) a[i] -= b[i];
+  trim(a);
+  return a;
+}
+
 IntegerPolynomial mirrored(IntegerPolynomial p) {
   shift(p, 1);
   for (std::size_t i = 1; i < p.size(); i += 2) p[i] = -p[i];
@@ -242,6 +249,24 @@ IntegerPolynomial square_free(const IntegerPolynomial& p) {
   auto quotient = common.size() < 2 ? p : divide(rest, common);
   make_primitive(quotient);
   return quotient;
+}
+
+std::vector<IntegerPolynomial> square_free_factors(const IntegerPolynomial& p) {
+  const auto quotient = [](IntegerPolynomial a, const IntegerPolynomial& b) {
+    if (b.size() < 2) return a;
+    auto result = divide(a, b);
+    make_primitive(result);
+    return result;
+  };
+  std::vector<IntegerPolynomial> factors;
+  auto repeated = greatest_common_divisor(p, derivative(p));
+  for (auto rest = quotient(p, repeated); rest.size() > 1;) {  // each root of a_k a_(k+1) ... once
+    const auto later = greatest_common_divisor(rest, repeated);
+    factors.push_back(quotient(rest, later));
+    repeated = quotient(repeated, later);
+    rest = later;
+  }
+  return factors;
 }
 
 IntegerPolynomial minimal_polynomial(const IntegerPolynomial& value, const IntegerPolynomial& modulus) {

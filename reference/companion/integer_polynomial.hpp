@@ -23,6 +23,8 @@ IntegerPolynomial derivative(const IntegerPolynomial& p);
 
 IntegerPolynomial product(const IntegerPolynomial& a, const IntegerPolynomial& b);
 
+IntegerPolynomial difference(IntegerPolynomial a, const IntegerPolynomial& b);
+
 /// p(1 - t).
 IntegerPolynomial mirrored(IntegerPolynomial p);
 
@@ -31,6 +33,9 @@ IntegerPolynomial greatest_common_divisor(IntegerPolynomial a, IntegerPolynomial
 
 /// The polynomial with each complex root of p once, up to a factor; p is not zero.
 IntegerPolynomial square_free(const IntegerPolynomial& p);
+
+/// Square-free polynomials a_1, a_2, ... with p = a_1 a_2^2 a_3^3 ... up to a factor; p is not zero ([Musser 1971]).
+std::vector<IntegerPolynomial> square_free_factors(const IntegerPolynomial& p);
 
 /// The polynomial p of least degree with p(value) = 0 modulo `modulus`, up to a factor; the degree of `modulus` is at
 /// least 1. Where `modulus` is square-free, p is, too, and its roots are the values of `value` at the roots of

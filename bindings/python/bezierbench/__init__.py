@@ -20,16 +20,19 @@ from .points import (
     Chords,
     Errors,
     Halves,
+    Points,
     Prepared,
     bound,
     box,
     derivative,
+    elevate,
     error,
     evaluate,
     exact,
     exact_fractions,
     flatten,
     grid,
+    part,
     recommended,
     split,
 )
@@ -39,6 +42,7 @@ from .problems import (
     Foot,
     Length,
     Parameter,
+    Root,
     arc_length,
     arc_length_error,
     at_length,
@@ -50,10 +54,11 @@ from .problems import (
     interpolate,
     project,
     project_error,
+    roots,
 )
 
 __version__ = version()
 __all__ = ["Bounds", "Box", "Bundle", "BundleError", "Chords", "Error", "Errors", "ExactFoot", "FileCurve", "Fit", "Foot", "Halves",
-           "Length", "Method", "Parameter", "Prepared", "arc_length", "arc_length_error", "at_length", "bound", "box", "curves",
-           "derivative", "ease", "error", "evaluate", "exact", "exact_arc_length", "exact_ease", "exact_fractions", "exact_project", "fit",
-           "flatten", "grid", "interpolate", "methods", "numbers", "project", "project_error", "read", "recommended", "split", "version"]
+           "Length", "Method", "Parameter", "Points", "Prepared", "Root", "arc_length", "arc_length_error", "at_length", "bound", "box", "curves",
+           "derivative", "ease", "elevate", "error", "evaluate", "exact", "exact_arc_length", "exact_ease", "exact_fractions", "exact_project", "fit",
+           "flatten", "grid", "interpolate", "methods", "numbers", "part", "project", "project_error", "read", "recommended", "roots", "split", "version"]

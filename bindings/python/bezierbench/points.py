@@ -19,6 +19,13 @@ _DERIVATIVES = {"bernstein": "differences_de_casteljau", "power": "power_derivat
 _GRIDS = {"bernstein": "pointwise_de_casteljau", "power": "pointwise_horner"}
 
 
+class Points(NamedTuple):
+    """Control points, not premultiplied, and their weights, None for a curve without."""
+
+    points: Array
+    weights: Array | None
+
+
 class Halves(NamedTuple):
     """The control points of both halves, not premultiplied, and their weights, None for a curve without."""
 
@@ -326,6 +333,27 @@ def split(points: ArrayLike, t: float, method: str = "de_casteljau_split", *, we
     check(library.bb_split(_name(method, "bernstein"), curve.pointer, t, ctypes.byref(entries[0]), ctypes.byref(entries[1])))
     (left, left_weights), (right, right_weights) = halves
     return Halves(left, right, left_weights, right_weights)
+
+
+def part(points: ArrayLike, start: float, stop: float, *, weights: ArrayLike | None = None) -> Points:
+    """The control points of a curve over t in [start, stop], each coordinate the true one rounded once. The parameters may lie outside
+    [0,1], and from 1 to 0 is the reversed curve. Parts that meet share their end to the bit. The time is cubic in the degree."""
+    _require_double(points, "parts of curves are computed in double")
+    curve = GivenCurve(points, weights=weights)
+    return _control_points(curve, len(curve.points), lambda out: library.bb_part(curve.pointer, start, stop, out))
+
+
+def elevate(points: ArrayLike, degree: int, *, weights: ArrayLike | None = None) -> Points:
+    """The control points of a curve in a degree at least its own, each coordinate the true one rounded once."""
+    _require_double(points, "degrees are elevated in double")
+    curve = GivenCurve(points, weights=weights)
+    return _control_points(curve, degree + 1, lambda out: library.bb_elevate(curve.pointer, degree, out))
+
+
+def _control_points(curve: GivenCurve, count: int, call: Callable[[Any], int]) -> Points:
+    found = Points(np.empty((max(count, 0), curve.dimension)), None if curve.weights is None else np.empty(max(count, 0)))
+    check(call(ctypes.byref(HalfEntry(address(found.points), None if found.weights is None else address(found.weights)))))
+    return found
 
 
 def box(points: ArrayLike, method: str = "exact_box", *, weights: ArrayLike | None = None) -> Box:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Arc length, projection, fitting and easing, with their true results; interpolation."""
+"""Arc length, projection, roots, fitting and easing, with their true results; interpolation."""
 
 from __future__ import annotations
 
@@ -38,6 +38,11 @@ class Foot(NamedTuple):
 class ExactFoot(NamedTuple):
     t: float
     distance: float
+
+
+class Root(NamedTuple):
+    t: float  # rounded once
+    multiplicity: int  # an odd one changes the sign
 
 
 class Fit(NamedTuple):
@@ -120,6 +125,27 @@ def project_error(points: ArrayLike, point: ArrayLike, t: float, distance: float
     error = ctypes.c_double()
     _check_truth(curve, lambda: library.bb_project_error(curve.pointer, address(at), t, distance, ctypes.byref(error)))
     return error.value
+
+
+ROOTS_OF = ("value", "extrema", "inflections")  # in the order of bb_roots_of
+
+
+def roots(points: ArrayLike, value: float = 0, *, axis: int = 0, of: str = "value", form: str = "bernstein",
+          weights: ArrayLike | None = None) -> list[Root]:
+    """All parameters in [0,1] at which coordinate `axis` is `value`, the true ones, ascending; with `of="extrema"` those at which its
+    derivative is 0, with `of="inflections"` those at which a curve in the plane has no curvature: an inflection has multiplicity 1, a cusp
+    2. Raises ValueError where every parameter is one."""
+    curve = GivenCurve(points, form, weights)
+    if of not in ROOTS_OF:
+        raise ValueError(f"no {of!r}; use {', '.join(ROOTS_OF)}")
+    capacity = 3 * len(curve.points)
+    t, multiplicities = np.empty(capacity), np.empty(capacity, np.intc)
+    count = ctypes.c_size_t()
+    _check_truth(curve, lambda: library.bb_roots(curve.pointer, ROOTS_OF.index(of), axis, value, address(t), address(multiplicities),
+                                                 capacity, ctypes.byref(count)))
+    if count.value > capacity:
+        raise ValueError("every parameter is a root; the coordinate is constant, or the curve is straight")
+    return [Root(float(at), int(multiplicity)) for at, multiplicity in zip(t[:count.value], multiplicities[:count.value])]
 
 
 def _easing(bezier: ArrayLike, x: ArrayLike, dtype: type) -> tuple[Array, Array, Array]:

@@ -249,14 +249,15 @@ void say_left_out(const std::string& name, std::size_t count, std::size_t all, s
 
 extern const CurveCommand curve_eval, curve_convert, curve_derivative, curve_length, curve_at_length, curve_project,
     curve_interpolate, curve_fit, curve_split, curve_grid, curve_bspline, curve_spaced, curve_flatten, curve_box,
-    curve_ease;
+    curve_ease, curve_roots, curve_part, curve_elevate;
 
 void add_curve(Command program, Exit& /*exit*/) {
   auto curve = program.command("curve", "solve one problem by any method, with its true error");
   curve.needs_command();
-  for (const auto* one : {&curve_eval, &curve_convert, &curve_derivative, &curve_length, &curve_at_length,
-                          &curve_project, &curve_interpolate, &curve_fit, &curve_split, &curve_grid, &curve_bspline,
-                          &curve_spaced, &curve_flatten, &curve_box, &curve_ease})
+  for (const auto* one :
+       {&curve_eval, &curve_convert, &curve_derivative, &curve_length, &curve_at_length, &curve_project,
+        &curve_interpolate, &curve_fit, &curve_split, &curve_grid, &curve_bspline, &curve_spaced, &curve_flatten,
+        &curve_box, &curve_ease, &curve_roots, &curve_part, &curve_elevate})
     one->add(curve.command(one->name, one->help));
 }
 

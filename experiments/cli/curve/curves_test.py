@@ -291,6 +291,38 @@ class Curves(Case):
             self.assertEqual((row["low"], row["high"], row["contains"]), ("-inf", "inf", ""))
         self.refused(USAGE, ["curve", "box", "--curve", "ease.csv", "--method", "exact_bix"], 'did you mean "exact_box"?')
 
+    def test_roots_of_a_curve(self):
+        """An S has an inflection, a cusp counts twice, a line is straight everywhere; y of the quarter circle is stationary at its end."""
+        self.write("shapes.csv", "curve,index,x,y\ns,0,0,0\ns,1,1,1\ns,2,2,-1\ns,3,3,0\ncusp,0,0,0\ncusp,1,1,1\ncusp,2,0,1\ncusp,3,1,0\n"
+                   "line,0,0,0\nline,1,2,1\n")
+        found = rows(self.fine("curve", "roots", "--curve", "shapes.csv", "--of", "inflections"))
+        self.assertEqual([(row["curve"], row["t"], row["multiplicity"], row["x"], row["y"]) for row in found],
+                         [("s", "0.5", "1", "1.5", "0"), ("cusp", "0.5", "2", "0.5", "0.75"), ("line", "", "inf", "", "")])
+        circle = self.write("circle.csv", "x,y,w\n1,0,1\n1,1,1\n0,1,2\n")
+        found = rows(self.fine("curve", "roots", "--curve", circle, "--of", "extrema"))
+        self.assertEqual([(row["axis"], row["t"]) for row in found], [("x", "0"), ("y", "1")])
+        found = rows(self.fine("curve", "roots", "--curve", circle, "--value", "1"))
+        self.assertEqual([(row["axis"], row["t"], row["multiplicity"]) for row in found], [("x", "0", "2"), ("y", "1", "2")])
+        self.refused(USAGE, ["curve", "roots", "--curve", circle, "--of", "extrema", "--value", "1"], "goes with --of value")
+        space = self.write("space.csv", "x,y,z\n1,0,1\n1,1,1\n0,1,2\n")
+        self.refused(USAGE, ["curve", "roots", "--curve", space, "--of", "inflections"], "must be a curve in the plane")
+        signs = self.write("signs.csv", "x,w\n1,1\n2,-3\n")
+        self.refused(USAGE, ["curve", "roots", "--curve", signs], "pole")
+
+    def test_part_and_elevation_of_a_curve(self):
+        """t = 0.2 of the part of a circle from 0.25 to 0.75, and of that part in degree 4, is 0.35 of the circle."""
+        circle = self.write("circle.csv", "x,y,w\n1,0,1\n1,1,1\n0,1,2\n")
+        self.write("part.csv", self.fine("curve", "part", "--curve", circle, "--from", "0.25", "--to", "0.75"))
+        self.write("elevated.csv", self.fine("curve", "elevate", "--curve", "part.csv", "--degree", "4"))
+        for file, count in (("part.csv", 3), ("elevated.csv", 5)):
+            self.assertEqual(len(rows((self.folder / file).read_text(encoding="utf-8"))), count)
+            for row in rows(self.fine("curve", "eval", "--curve", file, "--t", "0.2", "--method", "de_casteljau")):
+                self.assertAlmostEqual(float(row["exact"]), {"x": (1 - 0.35**2) / (1 + 0.35**2), "y": 0.7 / (1 + 0.35**2)}[row["axis"]], delta=1e-14)
+        self.refused(USAGE, ["curve", "elevate", "--curve", circle, "--degree", "1"], "write that or a higher one")
+        self.refused(USAGE, ["curve", "part", "--curve", circle, "--from", "0.5", "--to", "inf"], "is not a finite number")
+        power = self.write("power.csv", "x\n1\n2\n")
+        self.refused(USAGE, ["curve", "part", "--curve", power, "--form", "power", "--from", "0", "--to", "1"], "power form")
+
     def split_rows(self, *arguments):
         """Rows of `curve split`, in the order of methods, halves, control points and axes."""
         found = rows(self.fine("curve", "split", *arguments))

@@ -186,7 +186,7 @@ BB_API int bb_grid(const char* method, const bb_curve* curve, int steps, double*
 BB_API int bb_flatten(const char* method, const bb_curve* curve, double tolerance, double* t, double* points,
                       size_t capacity, size_t* ends, int* complete);
 
-/* Where the control points of a half are written: (degree + 1) * dimension values, not premultiplied, and degree + 1
+/* Where the control points of a half or another curve are written: (degree + 1) * dimension values, not premultiplied, and degree + 1
  * weights for BB_RATIONAL, otherwise null. */
 typedef struct bb_half {
   double* points;
@@ -197,10 +197,35 @@ typedef struct bb_half {
  * at t. BB_ERROR_NO_POINT where a weight of a half would be 0. */
 BB_API int bb_split(const char* method, const bb_curve* curve, double t, const bb_half* left, const bb_half* right);
 
+/* The control points of the curve over t in [from, to], each coordinate the true one rounded once. `from` and `to` are finite,
+ * may lie outside [0, 1], and may fall: from 1 to 0 is the reversed curve. Parts that meet share their end to the bit. The
+ * time is cubic in the degree. BB_ERROR_NO_POINT where a weight would be 0. */
+BB_API int bb_part(const bb_curve* curve, double from, double to, const bb_half* part);
+
+/* The control points, degree + 1 of them, in a degree at least that of the curve, each coordinate rounded once.
+ * BB_ERROR_NO_POINT likewise. */
+BB_API int bb_elevate(const bb_curve* curve, int degree, const bb_half* elevated);
+
 /* The lowest and the highest coordinate of each axis, 2 * dimension values, of a curve with control points over t in
  * [0, 1]. exact_box and split_box never leave a point of the curve outside; exact_box is the tightest box of doubles or
  * at most one double larger on each side. Weights of both signs give an infinite box. */
 BB_API int bb_box(const char* method, const bb_curve* curve, double* out);
+
+/* ---- Roots in [0, 1] ---- */
+
+/* What bb_roots finds. */
+typedef enum bb_roots_of {
+  BB_ROOTS_OF_VALUE = 0,      /* where the coordinate `axis` is `value` */
+  BB_ROOTS_OF_DERIVATIVE = 1, /* where its derivative is 0: extrema, with the ends only where they are stationary */
+  BB_ROOTS_OF_CURVATURE = 2   /* where a curve in the plane has no curvature: inflections, and cusps, which count twice */
+} bb_roots_of;
+
+/* All true roots with their multiplicities, ascending, each rounded once; an odd multiplicity changes the sign. *count
+ * becomes their number, SIZE_MAX where every t is one. Where this is at most `capacity` they are written; otherwise nothing
+ * is, and both arrays may be null for capacity 0. A curve of degree n has at most n, 2n - 1 and 3n. `axis` and `value` mean
+ * nothing where `of` does not name them. BB_ERROR_NO_POINT where a rational curve has a pole in [0, 1]. */
+BB_API int bb_roots(const bb_curve* curve, int of, int axis, double value, double* t, int* multiplicities,
+                    size_t capacity, size_t* count);
 
 /* ---- True points without any rounding ---- */
 

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "reference/companion/exact_roots.hpp"
+
+#include <algorithm>
+
+#include "reference/companion/integer_polynomial.hpp"
+#include "reference/rational.hpp"
+
+namespace bezierbench::reference {
+namespace {
+
+Rational weight(const CurveView<double>& curve, int i) {
+  return exactly(curve.form == Form::rational ? curve.weights[static_cast<std::size_t>(i)] : 1);
+}
+
+/// The polynomial, over a power of two, with these coefficients in the form of the curve.
+IntegerPolynomial polynomial(Form form, const std::vector<Rational>& coefficients) {
+  long exponent = 0;
+  if (form != Form::power) return from_bernstein(coefficients, exponent);
+  exponent = std::ranges::min(coefficients, {}, &Rational::exponent).exponent;
+  IntegerPolynomial p;
+  for (const auto& c : coefficients) p.emplace_back(c.numerator << static_cast<mp_bitcnt_t>(c.exponent - exponent));
+  while (!p.empty() && p.back() == 0) p.pop_back();
+  return p;
+}
+
+IntegerPolynomial numerator(const CurveView<double>& curve, int axis) {
+  std::vector<Rational> coefficients;
+  for (int i = 0; i <= curve.degree; ++i) coefficients.push_back(exactly(curve(axis, i)) * weight(curve, i));
+  return polynomial(curve.form, coefficients);
+}
+
+IntegerPolynomial denominator(const CurveView<double>& curve) {
+  if (curve.form != Form::rational) return {1};
+  std::vector<Rational> coefficients;
+  for (int i = 0; i <= curve.degree; ++i) coefficients.push_back(weight(curve, i));
+  return polynomial(curve.form, coefficients);
+}
+
+double rounded(const IntegerPolynomial& p, RootInterval root) {
+  constexpr unsigned long first_bits = 64;
+  for (unsigned long bits = first_bits;; bits *= 2) {
+    refine(p, root, bits);
+    const auto exponent = -static_cast<long>(root.t.shift);
+    const double low = round_to(binary64, {root.t.k, 1, exponent});
+    if (root.exact || low == round_to(binary64, {root.t.k + 1, 1, exponent})) return low;
+  }
+}
+
+Roots roots_of(const IntegerPolynomial& p) {
+  if (p.empty()) return {.everywhere = true, .roots = {}};
+  Roots found;
+  int multiplicity = 0;
+  for (const auto& factor : square_free_factors(p)) {
+    ++multiplicity;
+    for (const auto& root : isolate_roots(factor)) found.roots.push_back({rounded(factor, root), multiplicity});
+  }
+  std::ranges::sort(found.roots, {}, &Root::t);
+  return found;
+}
+
+}  // namespace
+
+Roots roots_of_value(const CurveView<double>& curve, int axis, double value) {
+  std::vector<Rational> coefficients;
+  for (int i = 0; i <= curve.degree; ++i) {
+    const bool moves = curve.form != Form::power || i == 0;
+    const auto moved = moves ? exactly(curve(axis, i)) - exactly(value) : exactly(curve(axis, i));
+    coefficients.push_back(moved * weight(curve, i));
+  }
+  return roots_of(polynomial(curve.form, coefficients));
+}
+
+Roots roots_of_derivative(const CurveView<double>& curve, int axis) {
+  const auto n = numerator(curve, axis);
+  const auto w = denominator(curve);
+  return roots_of(difference(product(derivative(n), w), product(n, derivative(w))));
+}
+
+Roots roots_of_curvature(const CurveView<double>& curve) {
+  const IntegerPolynomial rows[] = {numerator(curve, 0), numerator(curve, 1), denominator(curve)};
+  IntegerPolynomial determinant;
+  for (int k = 0; k < 3; ++k) {  // along the column P
+    const auto first = derivative(rows[(k + 1) % 3]);
+    const auto second = derivative(rows[(k + 2) % 3]);
+    const auto minor = difference(product(derivative(first), second), product(first, derivative(second)));
+    determinant = difference(determinant, product(rows[k], minor));
+  }
+  return roots_of(determinant);
+}
+
+}  // namespace bezierbench::reference

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Where a coordinate of a curve has a value, where it is stationary, and where a plane curve has no curvature: the
+// roots in [0, 1] of polynomials with integer coefficients, isolated with their multiplicities. None can be missed.
+//
+// With the curve as N / W, W = 1 where it is not rational, and without a root of W in [0, 1] (see pole.hpp):
+//   value v      N - v W
+//   extrema      N'W - NW', the numerator of (N / W)'
+//   inflections  det(P, P', P''), P = (X, Y, W), which is W^3 (x'y'' - x''y')
+#pragma once
+
+#include <vector>
+
+#include "core/curve_view.hpp"
+
+namespace bezierbench::reference {
+
+struct Root {
+  double t;          ///< rounded once
+  int multiplicity;  ///< an odd one changes the sign
+};
+
+/// The roots, ascending.
+struct Roots {
+  bool everywhere = false;  ///< every t is a root; `roots` is then empty
+  std::vector<Root> roots;
+};
+
+// Curves are in Bernstein, power or rational form, with finite coefficients and, if rational, without a pole in [0, 1].
+
+/// Where the coordinate is `value`, which is finite.
+Roots roots_of_value(const CurveView<double>& curve, int axis, double value);
+
+/// Where the derivative of the coordinate is 0: its extrema, with the ends only where they are stationary.
+Roots roots_of_derivative(const CurveView<double>& curve, int axis);
+
+/// Where the curvature of a curve in the plane is 0: simple inflections have multiplicity 1, ordinary cusps 2.
+Roots roots_of_curvature(const CurveView<double>& curve);
+
+}  // namespace bezierbench::reference
