@@ -217,7 +217,7 @@ BB_API int bb_box(const char* method, const bb_curve* curve, double* out);
 typedef enum bb_roots_of {
   BB_ROOTS_OF_VALUE = 0,      /* where the coordinate `axis` is `value` */
   BB_ROOTS_OF_DERIVATIVE = 1, /* where its derivative is 0: extrema, with the ends only where they are stationary */
-  BB_ROOTS_OF_CURVATURE = 2   /* where a curve in the plane has no curvature: inflections, and cusps, which count twice */
+  BB_ROOTS_OF_CURVATURE = 2   /* where a plane curve has no curvature: inflections; a cusp counts twice */
 } bb_roots_of;
 
 /* All true roots with their multiplicities, ascending, each rounded once; an odd multiplicity changes the sign. *count
