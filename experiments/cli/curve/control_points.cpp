@@ -13,9 +13,9 @@ namespace {
 
 using Computed = std::optional<reference::RoundedControlPoints>;
 
-/// Prints what `compute` makes of every curve.
+/// Prints what `compute` makes of every curve; `id` is that of a curve without one.
 template <class Compute>
-void print_set(const CurveOptions& options, const Compute& compute) {
+void print_set(const CurveOptions& options, const std::string& id, const Compute& compute) {
   const auto curves = options.read();
   curves::CurveSet set;
   for (const auto& curve : curves) {
@@ -30,7 +30,8 @@ void print_set(const CurveOptions& options, const Compute& compute) {
       throw Failure(Exit::input_output, "{}: a control point exceeds the largest double; scale the coordinates down",
                     name);
     const int degree = static_cast<int>(computed->points.size()) / curve.dimension - 1;
-    set.add(curve.id, {curve.form, curve.dimension, degree, computed->points, computed->weights}, curve.begins_path);
+    set.add(curve.id.empty() ? id : curve.id,
+            {curve.form, curve.dimension, degree, computed->points, computed->weights});
   }
   fmt::print("{}", curves::to_csv(set, number::decimal));
 }
@@ -50,7 +51,7 @@ void add_part(Command command) {
   command.action([options] {
     const double from = finite_option("--from", options->from);
     const double to = finite_option("--to", options->to);
-    print_set(options->curve, [&](const CurveView<double>& curve, const std::string& /*name*/) {
+    print_set(options->curve, "part", [&](const CurveView<double>& curve, const std::string& /*name*/) {
       return reference::control_points_of_part(curve, from, to);
     });
   });
@@ -67,7 +68,7 @@ void add_elevate(Command command) {
       .required()
       .within(0, max_degree);
   command.action([options] {
-    print_set(options->curve, [&](const CurveView<double>& curve, const std::string& name) {
+    print_set(options->curve, "elevated", [&](const CurveView<double>& curve, const std::string& name) {
       if (options->degree < curve.degree)
         throw Failure(Exit::usage, "--degree {}: {} has degree {}; write that or a higher one", options->degree, name,
                       curve.degree);
