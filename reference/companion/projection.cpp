@@ -86,8 +86,9 @@ IntegerPolynomial common_zeros(const Problem& problem) {
 
 constexpr unsigned long min_bits = 128;
 constexpr unsigned long max_bits = 1200;  // beyond the smallest double
+constexpr long distance_bits = 256;       // of a squared distance from a rational curve
 
-/// Narrow enough for the distance, and for t rounded to double.
+/// Narrow enough for t rounded to double, and for the distance from a polynomial curve.
 void refine_root(const IntegerPolynomial& p, RootInterval& root) {
   for (unsigned long bits = min_bits; !root.exact && bits <= max_bits; bits *= 2) {
     refine(p, root, bits);
@@ -96,11 +97,16 @@ void refine_root(const IntegerPolynomial& p, RootInterval& root) {
   }
 }
 
+/// Whether the root is one of `zeros`, of which each is a root of the same polynomial.
+bool is_among(const IntegerPolynomial& zeros, const RootInterval& root) {
+  if (zeros.size() < 2) return false;
+  const int sign = sign_at(zeros, root.t);
+  return root.exact ? sign == 0 : sign * sign_at(zeros, {root.t.k + 1, root.t.shift}) < 0;
+}
+
 CriticalPoint critical_point(const Problem& problem, const RootInterval& root, const IntegerPolynomial& zeros) {
   CriticalPoint point{rational(root.t), squared_at(problem.squared, problem.weight, problem.exponent, root.t)};
-  if (root.exact || zeros.size() < 2) return point;
-  const Dyadic other{root.t.k + 1, root.t.shift};
-  if (sign_at(zeros, root.t) * sign_at(zeros, other) < 0) point.distance_squared = {};
+  if (is_among(zeros, root)) point.distance_squared = {};
   return point;
 }
 
@@ -174,28 +180,35 @@ class Nearest {
   mpz_class bend_ = 0;  ///< a bound of |D''| on [0, 1]
 };
 
-/// Compares the distances at critical points of a rational curve by enclosures of |V|^2 / W^2. Where 1000 bits of t do
-/// not tell them apart they count as equal.
+/// Compares the distances at critical points of a rational curve by enclosures of |V|^2 / W^2.
 class NearestOfRational {
  public:
-  NearestOfRational(const Problem& problem, const IntegerPolynomial& slope) : problem_(problem), slope_(slope) {}
+  NearestOfRational(const Problem& problem, const IntegerPolynomial& slope, const IntegerPolynomial& zeros)
+      : problem_(problem), slope_(slope), zeros_(zeros) {}
+
+  /// Narrows the interval until the squared distance is known to `bits` bits. W is not 0 at the root, so this ends.
+  void narrow(RootInterval& root, long bits) const {
+    while (!is_narrow(root, bits)) refine(slope_, root, std::max(2 * root.t.shift, min_bits));
+  }
 
   /// Whether the curve is nearer at `a` than at `b`. Narrows both where that is required.
   bool is_nearer(RootInterval& a, RootInterval& b) const {
-    constexpr unsigned long most_bits = 1000;
-    for (unsigned long bits = min_bits;; bits *= 2) {
-      for (auto* root : {&a, &b}) refine(slope_, *root, bits);
+    for (long bits = first_bits;; bits *= 2) {
+      for (auto* root : {&a, &b}) narrow(*root, bits);
+      const bool a_is_zero = is_among(zeros_, a);
+      if (is_among(zeros_, b)) return false;
+      if (a_is_zero) return true;
       const auto range_a = range(a);
       const auto range_b = range(b);
-      if (range_a && range_b) {
-        if (less(range_a->high, range_b->low)) return true;
-        if (!less(range_a->low, range_b->high)) return false;
-      }
-      if (bits > most_bits || (a.exact && b.exact)) return false;
+      if (less(range_a->high, range_b->low)) return true;
+      if (!less(range_a->low, range_b->high) || bits >= equal_bits) return false;
     }
   }
 
  private:
+  static constexpr long first_bits = 128;
+  static constexpr long equal_bits = 1024;
+
   struct Range {
     Rational low;
     Rational high;
@@ -227,9 +240,18 @@ class NearestOfRational {
     const long exponent = square.exponent - 2 * weight.exponent;
     return Range{{low, largest * largest, exponent}, {square.value + square.off, least * least, exponent}};
   }
+  [[nodiscard]] bool is_narrow(const RootInterval& root, long bits) const {
+    if (root.exact || is_among(zeros_, root)) return true;
+    const auto known = range(root);
+    if (!known || known->low.numerator == 0) return false;
+    Rational width = known->high - known->low;
+    width.exponent += bits;
+    return less(width, known->low);
+  }
 
   const Problem& problem_;
   const IntegerPolynomial& slope_;
+  const IntegerPolynomial& zeros_;
 };
 
 /// The square root of b >= 0, cut to 256 bits.
@@ -289,15 +311,16 @@ ExactProjection projection(const CurveView<double>& curve, std::span<const doubl
                          largest_speed(curve),
                          largest_coordinate(curve, point),
                          curve.degree};
+  const NearestOfRational nearest_of_rational(problem, slope, zeros);
   for (auto& root : roots) {
     refine_root(slope, root);
+    if (curve.form == Form::rational) nearest_of_rational.narrow(root, distance_bits);
     result.critical.push_back(critical_point(problem, root, zeros));
   }
   if (is_point) return result;
   if (curve.form == Form::rational) {
-    const NearestOfRational nearest(problem, slope);
     for (std::size_t i = 1; i < roots.size(); ++i)
-      if (nearest.is_nearer(roots[i], roots[result.nearest])) result.nearest = i;
+      if (nearest_of_rational.is_nearer(roots[i], roots[result.nearest])) result.nearest = i;
     return result;
   }
   Nearest nearest(problem, slope);

@@ -18,8 +18,9 @@ namespace bezierbench::reference {
 /// A root of f in [0, 1], or an end of the curve.
 struct CriticalPoint {
   Rational t;  ///< the root, or a dyadic number less than 2^-128 and less than half an ulp from it
-  Rational
-      distance_squared;  ///< at this t: the distance has an error below 2^-126 |C'|; 0 where the curve meets the point
+  /// At this t: the distance has an error below 2^-126 |C'|, of a rational curve a relative one below 2^-256. 0 where
+  /// the curve meets the point.
+  Rational distance_squared;
 };
 
 struct ExactProjection {
@@ -42,7 +43,7 @@ struct ExactProjection {
 };
 
 /// Projects a finite point on a curve of as many dimensions: finite coefficients in Bernstein form, or in rational form
-/// without a pole in [0, 1]; degree >= 1. Distances of a rational curve that agree to 1000 bits count as equal.
+/// without a pole in [0, 1]; degree >= 1. Distances of a rational curve that agree to 1024 bits count as equal.
 ExactProjection projection(const CurveView<double>& curve, std::span<const double> point);
 
 /// The error of a foot point at t with its claimed distance, rounded once to `format`: |distance - d|, d the least

@@ -141,6 +141,19 @@ TEST(ExactProjection, OfEquallyNearPointsOfARationalCurveItTakesTheFirst) {
   EXPECT_EQ(distance_of(both.foot()), 0);
 }
 
+/// All points of these curves have x = 10 and run from y = 10 through 0 to y < 0, so that the foot of (1, 0) is
+/// (10, 0), however near its parameter is to 1.
+TEST(ExactProjection, OntoCurvesWithWeightsFarApart) {
+  EXPECT_EQ(distance_of(project({10, 10, 10, 0, 10, -10}, {1, 1e-100, 1e-100}, {1, 0}).foot()), 9);
+  std::vector<double> points;
+  std::vector<double> weights;
+  for (int i = 0; i <= 20; ++i) {
+    points.insert(points.end(), {10, 10.0 - i});
+    weights.push_back(i == 0 ? 1 : 1e-155);
+  }
+  EXPECT_EQ(distance_of(project(points, weights, {1, 0}).foot()), 9);
+}
+
 TEST(ExactProjection, NoSampleOfARationalCurveIsNearer) {
   std::mt19937_64 words(15);
   ExactCurve exact_curve;
