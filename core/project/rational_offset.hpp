@@ -7,7 +7,7 @@
 // Source: derived here, from the quotient rule ([Piegl and Tiller 1997], eq. (4.8)).
 // Cost: n^2 (2d + 4) / 2 flops once; a distance costs a point of degree n on d + 1 axes.
 // Bound: V is off by (3n + 2) u of sum |w_i| |b_i - P| B_i: a distance by some n u of the largest |b_i - P|.
-// Fails: where W has a root in [0, 1].
+// Fails: where W has a root in [0, 1], or a weight is more than 2^900 times another one.
 #pragma once
 
 #include "core/arc_length/rational_hodograph.hpp"
@@ -112,7 +112,22 @@ RationalOffset<Dimension> offset_of(const Curve<Form::rational, double, Dimensio
   return RationalOffset<Dimension>(curve, point);
 }
 
-/// A method for polynomial curves that requires no more than distances, V and W. It states no bound of the residual.
+/// Whether all products of the scaled weights with coordinates are normal numbers, or 0 for a weight 0.
+template <int Dimension>
+bool weights_are_in_range(const Curve<Form::rational, double, Dimension>& curve) {
+  constexpr double widest = 0x1p900;
+  double least = std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (int i = 0; i <= curve.degree(); ++i) {
+    const double size = std::abs(curve.weights[i]);
+    largest = std::max(largest, size);
+    if (size > 0) least = std::min(least, size);
+  }
+  return largest / widest <= least;
+}
+
+/// A method for polynomial curves that requires no more than distances, V and W. It states no bound of the residual,
+/// and has not converged where weights are too far apart.
 template <class Method>
 struct ProjectionOfRational {
   static constexpr MethodInfo info = [] {
@@ -126,7 +141,9 @@ struct ProjectionOfRational {
   template <int Dimension>
   static FootPoint project(const Curve<Form::rational, double, Dimension>& curve,
                            const Point<double, Dimension>& point) {
-    return Method::project(curve, point);
+    FootPoint foot = Method::project(curve, point);
+    foot.converged = foot.converged && weights_are_in_range(curve);
+    return foot;
   }
 };
 

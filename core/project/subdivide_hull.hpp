@@ -13,7 +13,8 @@
 //   Of rational curves, C - P = V / W (rational_offset.hpp), a piece is dropped where no coefficient of
 //   |V|^2 - D^2 W^2 is negative, D the least distance less a margin (docs/proofs/rational_projection.md).
 // Fails: beyond degree 512 the binomials of degree 2n overflow. Next to a curve whose distance is constant up to
-//   rounding over a long part it ends after 20,000 pieces, and `converged` is false.
+//   rounding over a long part it ends after 20,000 pieces, and `converged` is false. It is false, too, where a
+//   rational curve runs between neighbouring doubles t, as it does past weights that differ by many powers of two.
 #pragma once
 
 #include <vector>
@@ -47,6 +48,7 @@ struct SubdivideHull {
     best.take(1, offset.scaled_distance(1));
     std::vector<Piece<axes>> level{{offset.offsets(), 0, 0}};
     int judged = 0;
+    bool is_known = true;  // the distance of the nearest point, from that at a double t
     for (double width = 1; !level.empty() && width >= smallest_width && judged < max_pieces; width /= 2) {
       std::vector<Piece<axes>> next;
       for (auto& piece : level) {
@@ -54,18 +56,24 @@ struct SubdivideHull {
         if (!may_be_nearer(offset, piece, binomials, best.distance)) continue;
         const double middle = piece.from + width / 2;
         best.take(middle, offset.scaled_distance(middle));
+        if constexpr (F == Form::rational) {
+          const double below = best.distance * (1 - 0x1p-40) - 0x1p-48 * offset.largest_offset();
+          if (width == smallest_width && below > 0 && may_be_nearer(offset, piece, binomials, below)) is_known = false;
+        }
         const double error = piece.error + 0x1p-53 * static_cast<double>(piece.offset.cols()) *
                                                (F == Form::rational ? 1 : largest_coordinate<axes>(piece.offset));
         Polygon<axes> left;
         Polygon<axes> right;
         halve<axes>(piece.offset, left, right);
+        normalise(offset, left);
+        normalise(offset, right);
         next.push_back({std::move(left), piece.from, error});
         next.push_back({std::move(right), middle, error});
       }
       level = std::move(next);
     }
     best.t = polished(offset, best.t);
-    return {best.t, offset.distance(best.t), judged, judged < max_pieces};
+    return {best.t, offset.distance(best.t), judged, judged < max_pieces && is_known};
   }
 
  private:
@@ -96,6 +104,20 @@ struct SubdivideHull {
     Row square;
   };
 
+  /// Multiplies V and W by a power of two, which does not change the curve, so that their products do not underflow
+  /// where all weights of a piece are small. Weights of two signs stay, since the error of a piece is absolute then.
+  template <int Dimension>
+  static void normalise(const OffsetCurve<Dimension>& /*offset*/, Polygon<Dimension>& /*piece*/) {}
+  template <int Dimension>
+  static void normalise(const RationalOffset<Dimension>& offset, Polygon<Dimension + 1>& piece) {
+    constexpr double small = 0x1p-100;
+    const double largest = largest_coordinate<Dimension + 1>(piece);
+    if (!offset.is_positive() || largest >= small || largest == 0) return;
+    const int exponent = binary_exponent(largest);
+    for (int i = 0; i <= degree_of<Dimension + 1>(piece); ++i)
+      for (int axis = 0; axis <= Dimension; ++axis) piece(axis, i) = times_power_of_two(piece(axis, i), -exponent);
+  }
+
   /// Whether a point of the piece may be nearer than `best`; false where every point is at least as far away, up to
   /// rounding.
   template <int Dimension>
@@ -120,6 +142,7 @@ struct SubdivideHull {
   static bool may_be_nearer(const RationalOffset<Dimension>& offset, const Piece<Dimension + 1>& piece,
                             const Binomials& binomials, double best) {
     const int n = degree_of<Dimension + 1>(piece.offset);
+    constexpr double underflow = 0x1p-1000;  // of the products of a term, over the relative error of a sum
     double least = offset.is_positive() ? 1 : std::abs(piece.offset(Dimension, 0));
     for (int i = 0; i <= n && !offset.is_positive(); ++i) least = std::min(least, piece.offset(Dimension, i));
     const double roundings = 0x1p-53 * (Dimension + 1) * (5.0 * n + Dimension + 9);  // of a sum, over its magnitudes
@@ -134,7 +157,7 @@ struct SubdivideHull {
           const double factor = axis == Dimension ? -nearer * nearer : 1;
           const double product = factor * (piece.offset(axis, i) * piece.offset(axis, k - i));
           sum += binomial * product;
-          magnitudes += binomial * std::abs(product);
+          magnitudes += binomial * (std::abs(product) + underflow);
         }
       }
       if (sum < roundings * magnitudes) return true;
