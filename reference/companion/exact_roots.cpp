@@ -37,25 +37,51 @@ IntegerPolynomial denominator(const CurveView<double>& curve) {
   return polynomial(curve.form, coefficients);
 }
 
-double rounded(const IntegerPolynomial& p, RootInterval root) {
-  constexpr unsigned long first_bits = 64;
+/// A root of a square-free factor; factors have no root in common.
+struct FactorRoot {
+  const IntegerPolynomial* factor;
+  RootInterval root;
+  int multiplicity;
+};
+
+constexpr unsigned long first_bits = 64;
+
+/// Narrows the interval until both ends round to one double, and returns it.
+double rounded(FactorRoot& found) {
+  auto& root = found.root;
   for (unsigned long bits = first_bits;; bits *= 2) {
-    refine(p, root, bits);
+    refine(*found.factor, root, bits);
     const auto exponent = -static_cast<long>(root.t.shift);
     const double low = round_to(binary64, {root.t.k, 1, exponent});
     if (root.exact || low == round_to(binary64, {root.t.k + 1, 1, exponent})) return low;
   }
 }
 
+/// Whether a is left of b, which is another root; narrows both until their intervals are apart.
+bool is_before(FactorRoot& a, FactorRoot& b) {
+  const auto end = [](const FactorRoot& found) { return found.root.t.k + (found.root.exact ? 0 : 1); };
+  const auto not_after = [](const mpz_class& x, const Dyadic& of_x, const mpz_class& y, const Dyadic& of_y) {
+    return mpz_class(x << of_y.shift) <= mpz_class(y << of_x.shift);
+  };
+  for (unsigned long bits = first_bits;; bits *= 2) {
+    if (not_after(end(a), a.root.t, b.root.t.k, b.root.t)) return true;
+    if (not_after(end(b), b.root.t, a.root.t.k, a.root.t)) return false;
+    refine(*a.factor, a.root, bits);
+    refine(*b.factor, b.root, bits);
+  }
+}
+
 Roots roots_of(const IntegerPolynomial& p) {
   if (p.empty()) return {.everywhere = true, .roots = {}};
+  const auto factors = square_free_factors(p);
+  std::vector<FactorRoot> all;
+  for (std::size_t k = 0; k < factors.size(); ++k)
+    for (const auto& root : isolate_roots(factors[k])) all.push_back({&factors[k], root, static_cast<int>(k) + 1});
+  std::vector<FactorRoot*> ascending;
+  for (auto& root : all)
+    ascending.insert(std::ranges::find_if(ascending, [&](auto* other) { return is_before(root, *other); }), &root);
   Roots found;
-  int multiplicity = 0;
-  for (const auto& factor : square_free_factors(p)) {
-    ++multiplicity;
-    for (const auto& root : isolate_roots(factor)) found.roots.push_back({rounded(factor, root), multiplicity});
-  }
-  std::ranges::sort(found.roots, {}, &Root::t);
+  for (auto* root : ascending) found.roots.push_back({rounded(*root), root->multiplicity});
   return found;
 }
 

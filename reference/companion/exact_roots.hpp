@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a coordinate of a curve has a value, where it is stationary, and where a plane curve has no curvature: the
+// Where a coordinate of a curve has a value, where it is stationary, and where a plane curve has an inflection: the
 // roots in [0, 1] of polynomials with integer coefficients, isolated with their multiplicities. None can be missed.
 //
 // With the curve as N / W, W = 1 where it is not rational, and without a root of W in [0, 1] (see pole.hpp):
@@ -33,7 +33,8 @@ Roots roots_of_value(const CurveView<double>& curve, int axis, double value);
 /// Where the derivative of the coordinate is 0: its extrema, with the ends only where they are stationary.
 Roots roots_of_derivative(const CurveView<double>& curve, int axis);
 
-/// Where the curvature of a curve in the plane is 0: simple inflections have multiplicity 1, ordinary cusps 2.
+/// Where x'y'' - x''y' of a curve in the plane is 0. At a point with a tangent an odd multiplicity is an inflection,
+/// an even one a flat point; an ordinary cusp has 2.
 Roots roots_of_curvature(const CurveView<double>& curve);
 
 }  // namespace bezierbench::reference

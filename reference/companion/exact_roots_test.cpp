@@ -52,6 +52,12 @@ TEST(ExactRoots, FindsTheRootsOfProductsWithTheirMultiplicities) {
   }
 }
 
+/// 2^10 t^3 - 2^-1074 t^2: the simple root, 2^-1084, rounds to 0, too, but stands behind the double one.
+TEST(ExactRoots, RootsThatRoundToOneDoubleAreInTheirOrder) {
+  const Numbers p{0, 0, -0x1p-1074, 0x1p10};
+  EXPECT_EQ(listed(roots_of_value({Form::power, 1, 3, p, {}}, 0, 0)), (Expected{{0, 2}, {0, 1}}));
+}
+
 /// A simple root lies between the neighbours of the double found, at which the signs differ. By Descartes' rule the
 /// number of roots is that of the sign variations of the coefficients, or an even number less.
 TEST(ExactRoots, EveryRootOfARandomCurveIsBracketedByNeighbours) {

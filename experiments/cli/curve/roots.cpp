@@ -60,8 +60,8 @@ void add_roots(Command command) {
   options->curve.add_to(command);
   command
       .option("--of", options->of,
-              "what to find: where a coordinate has a value, where it is stationary, or where a plane curve has no "
-              "curvature; default: value")
+              "what to find: where a coordinate has a value, where it is stationary, or where x'y'' = x''y' on a "
+              "plane curve; default: value")
       .one_of({of_value, of_extrema, of_inflections});
   command.option("--value", options->value, "value of the coordinate; default: 0").takes("V");
   command.action([options] { find_roots(*options); });
