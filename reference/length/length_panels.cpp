@@ -182,7 +182,8 @@ NotCertain::NotCertain(LongReal length, const LongReal& uncertainty)
     : std::runtime_error("the true length is not certain to 30 digits, " +
                          (uncertainty < length ? "only to " + LongReal(uncertainty / length).str(2) + " of itself"
                                                : std::string("nor to one"))),
-      length_(std::move(length)) {}
+      length_(std::move(length)),
+      has_digits_(uncertainty < length_) {}
 
 void require_certain(const LongReal& length, const LongReal& uncertainty) {
   if (uncertainty > length * LongReal("1e-30")) throw NotCertain(length, uncertainty);

@@ -61,9 +61,12 @@ class NotCertain : public std::runtime_error {
   NotCertain(LongReal length, const LongReal& uncertainty);
   /// The computed length.
   [[nodiscard]] const LongReal& length() const { return length_; }
+  /// Whether any digit of it is certain.
+  [[nodiscard]] bool has_digits() const { return has_digits_; }
 
  private:
   LongReal length_;
+  bool has_digits_;
 };
 
 /// Throws NotCertain for a length that is not known to 30 digits.

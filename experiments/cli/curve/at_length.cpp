@@ -88,6 +88,7 @@ MeasuredSegment measured_segment(const CurveCase<InverseArcLengthKernel>& one, c
         truth.finishes(one.name, segment.curve.degree, [&] { segment.lengths.emplace(segment.curve); });
     segment.whole = finished ? segment.lengths->whole() : whole_length(segment.curve);
   } catch (const reference::NotCertain& error) {
+    if (!error.has_digits()) throw Failure(Exit::input_output, "{}: {}; choose another curve", one.name, error.what());
     segment.whole = error.length();
     fmt::print(stderr, "bezierbench: {}: {}; exact_t, error and length_error are left empty\n", one.name, error.what());
   }

@@ -94,7 +94,7 @@ BsplineCurve curve_of(const BsplineOptions& options) {
                     points, options.points);
     const auto least = *std::ranges::min_element(curve.weights);
     if (!(least > 0))
-      throw Failure(Exit::usage, "--weights: {} stands there, but weights must be above 0", number::decimal(least));
+      throw Failure(Exit::usage, "--weights: {} is not above 0, as every weight must be", number::decimal(least));
   }
   if (options.closed > 0) close(curve, options.closed, options.points);
   points = curve.points.count();

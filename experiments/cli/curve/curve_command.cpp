@@ -131,8 +131,8 @@ void refuse_pole(const CurveView<double>& curve, double from, double to, const s
   if (const auto t = reference::pole(curve, from, to))
     throw Failure(
         Exit::usage,
-        "{}: has a pole, since the weights (column w) sum to zero at t = {}; its parts on either side have none", name,
-        number::decimal(*t));
+        "{}: has a pole, since the weights (column w) sum to zero at t = {}; `curve part` gives the parts beside it",
+        name, number::decimal(*t));
 }
 
 void unknown_method(const std::string& id, Problem problem) {

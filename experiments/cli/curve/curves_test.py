@@ -241,7 +241,7 @@ class Curves(Case):
         self.refused(USAGE, [*curve, "knots.txt", "--t", "3"], "--knots knots.txt", "x")
         said = self.run_program(*curve, "0,0,0,0,1,1,1", "--t", "0.5").stderr.decode()
         self.assertIn("0 stands 4 times; above degree + 1 = 3 a control point has no influence", said)
-        for weights, *needles in [("1,2", "2 for the 4 points in d.csv", "one for each"), ("1,2,0,1", "0 stands there, but weights must be above 0"), ("1,x,1,1", "--weights x")]:
+        for weights, *needles in [("1,2", "2 for the 4 points in d.csv", "one for each"), ("1,2,0,1", "0 is not above 0, as every weight must be"), ("1,x,1,1", "--weights x")]:
             with self.subTest(weights=weights):
                 self.refused(USAGE, [*curve, "0,1,2,3,4,5,6", "--t", "3", "--weights", weights], *needles)
 
@@ -352,6 +352,9 @@ class Curves(Case):
 
     def test_length(self):
         columns = ["method", "length", "error_estimate", "evaluations", "converged", "exact", "error"]
+        self.write("far.csv", "x,y,w\n0,0,1e308\n1,1,1\n2,0,1e-20\n")  # weights beyond what one double holds
+        self.refused(INPUT_OUTPUT, ["curve", "at-length", "--curve", "far.csv", "--length", "5"], "not certain to 30 digits, nor to one")
+        self.assertIn("subdivide_hull gave up", self.run_program("curve", "project", "--curve", "far.csv", "--point", "2,0").stderr.decode())
         self.write("cusp.csv", "x,y\n3,-3\n-1,3\n-1,-3\n3,3\n")  # 3 (u^2, u^3), u = 2t - 1
         length = ["curve", "length", "--curve", "cusp.csv"]
         found = rows(self.fine(*length, "--tolerance", "1e-6"))
