@@ -471,7 +471,9 @@ TEST(C, PartsAndElevatedCurves) {
   EXPECT_THAT(points, testing::ElementsAre(0, 0, 2.0 / 3, 4.0 / 3, 4.0 / 3, 4.0 / 3, 2, 0));
   const bb_curve rational{BB_RATIONAL, 2, 2, arch.data(), weights.data()};
   EXPECT_EQ(bb_part(&rational, 0, 0.5, &half), BB_ERROR_NULL);
-  EXPECT_EQ(bb_part(&rational, 0.5, 1, &half), BB_ERROR_NO_POINT);
+  std::array<double, 3> its_weights{};
+  const bb_half weighted{points.data(), its_weights.data()};
+  EXPECT_EQ(bb_part(&rational, 0.5, 1, &weighted), BB_ERROR_NO_POINT);
   EXPECT_EQ(bb_part(&curve, 0, infinity, &half), BB_ERROR_NOT_FINITE);
   EXPECT_EQ(bb_elevate(&curve, 1, &half), BB_ERROR_DEGREE);
   const bb_curve power{BB_POWER, 2, 2, arch.data(), nullptr};
@@ -502,7 +504,7 @@ TEST(C, RootsHaveMultiplicities) {
   ASSERT_EQ(bb_roots(&curve, BB_ROOTS_OF_VALUE, 1, 0, nullptr, nullptr, 0, &count), BB_OK);
   EXPECT_EQ(count, 1);
   EXPECT_EQ(roots(curve, BB_ROOTS_OF_VALUE, 2, 0), BB_ERROR_DIMENSION);
-  EXPECT_EQ(roots(curve, 3, 0, 0), BB_ERROR_PARAMETER);
+  EXPECT_EQ(roots(curve, 3, 2, 0), BB_ERROR_PARAMETER);
   EXPECT_EQ(roots(curve, BB_ROOTS_OF_VALUE, 0, infinity), BB_ERROR_NOT_FINITE);
   constexpr std::array opposite{1.0, 1.0, -1.0};
   EXPECT_EQ(roots({BB_RATIONAL, 2, 2, touching.data(), opposite.data()}, BB_ROOTS_OF_VALUE, 0, 0), BB_ERROR_NO_POINT);

@@ -16,14 +16,18 @@ CurveView<double> with_control_points(const bb_curve* curve) {
   return view;
 }
 
+/// Before what takes long is computed.
+void require_place(const bb_half* to, const CurveView<double>& curve) {
+  c::require_pointers(to);
+  c::require_pointers(to->points);
+  if (curve.form == Form::rational) c::require_pointers(to->weights);
+}
+
 void write(const std::optional<reference::RoundedControlPoints>& found, const bb_half* to) {
   c::require(found.has_value(), BB_ERROR_NO_POINT);
   const auto is_finite = [](double x) { return std::isfinite(x); };
   c::require(std::ranges::all_of(found->points, is_finite) && std::ranges::all_of(found->weights, is_finite),
              BB_ERROR_OVERFLOW);
-  c::require_pointers(to);
-  c::require_pointers(to->points);
-  if (!found->weights.empty()) c::require_pointers(to->weights);
   std::ranges::copy(found->points, to->points);
   std::ranges::copy(found->weights, to->weights);
 }
@@ -34,6 +38,7 @@ int bb_part(const bb_curve* curve, double from, double to, const bb_half* part) 
   return c::guarded([&] {
     const auto view = with_control_points(curve);
     c::require(std::isfinite(from) && std::isfinite(to), BB_ERROR_NOT_FINITE);
+    require_place(part, view);
     write(reference::control_points_of_part(view, from, to), part);
   });
 }
@@ -42,6 +47,7 @@ int bb_elevate(const bb_curve* curve, int degree, const bb_half* elevated) {
   return c::guarded([&] {
     const auto view = with_control_points(curve);
     c::require(degree >= view.degree && degree <= max_degree, BB_ERROR_DEGREE);
+    require_place(elevated, view);
     write(reference::elevated_control_points(view, degree), elevated);
   });
 }

@@ -12,13 +12,14 @@ using namespace bezierbench;
 namespace {
 
 reference::Roots roots_of(const CurveView<double>& curve, int of, int axis, double value) {
+  c::require(of == BB_ROOTS_OF_VALUE || of == BB_ROOTS_OF_DERIVATIVE || of == BB_ROOTS_OF_CURVATURE,
+             BB_ERROR_PARAMETER);
   if (of == BB_ROOTS_OF_CURVATURE) {
     c::require(curve.dimension == 2, BB_ERROR_DIMENSION);
     return reference::roots_of_curvature(curve);
   }
   c::require(axis >= 0 && axis < curve.dimension, BB_ERROR_DIMENSION);
   if (of == BB_ROOTS_OF_DERIVATIVE) return reference::roots_of_derivative(curve, axis);
-  c::require(of == BB_ROOTS_OF_VALUE, BB_ERROR_PARAMETER);
   c::require(std::isfinite(value), BB_ERROR_NOT_FINITE);
   return reference::roots_of_value(curve, axis, value);
 }

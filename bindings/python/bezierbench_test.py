@@ -378,8 +378,10 @@ class Problems(unittest.TestCase):
         cubic = bezierbench.elevate(circle, 3, weights=weights)
         self.assertEqual(cubic.weights.tolist(), [1, 1, 4 / 3, 2])
         self.assertEqual(bezierbench.elevate(arch, 2).points.tolist(), arch)
-        with self.assertRaisesRegex(bezierbench.Error, "degree"):
-            bezierbench.elevate(arch, 1)
+        self.assertEqual(len(bezierbench.elevate(arch, 1023).points), 1024)
+        for degree in (1, 1024, 10**13):
+            with self.assertRaisesRegex(ValueError, "must be from 2, that of the curve, to 1023"):
+                bezierbench.elevate(arch, degree)
 
     def test_roots_have_multiplicities(self):
         self.assertEqual(bezierbench.roots([1, -1, 1]), [(0.5, 2)])
@@ -391,6 +393,9 @@ class Problems(unittest.TestCase):
             bezierbench.roots([[0, 0], [1, 1]], of="inflections")
         with self.assertRaisesRegex(ValueError, "use value, extrema, inflections"):
             bezierbench.roots([0, 1], of="minima")
+        for axis in (-1, 2, 2**32):
+            with self.assertRaisesRegex(ValueError, "must be from 0 to 1"):
+                bezierbench.roots([[0, 0], [1, 1]], axis=axis)
 
     def test_every_listed_method_is_there(self):
         problems = {method.problem for method in bezierbench.methods()}

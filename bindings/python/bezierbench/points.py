@@ -343,10 +343,16 @@ def part(points: ArrayLike, start: float, stop: float, *, weights: ArrayLike | N
     return _control_points(curve, len(curve.points), lambda out: library.bb_part(curve.pointer, start, stop, out))
 
 
+LARGEST_DEGREE = 1023  # that of the library
+
+
 def elevate(points: ArrayLike, degree: int, *, weights: ArrayLike | None = None) -> Points:
     """The control points of a curve in a degree at least its own, each coordinate the true one rounded once."""
     _require_double(points, "degrees are elevated in double")
     curve = GivenCurve(points, weights=weights)
+    own = len(curve.points) - 1
+    if not own <= degree <= LARGEST_DEGREE:
+        raise ValueError(f"degree {degree}: must be from {own}, that of the curve, to {LARGEST_DEGREE}")
     return _control_points(curve, degree + 1, lambda out: library.bb_elevate(curve.pointer, degree, out))
 
 

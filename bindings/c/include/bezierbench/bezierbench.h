@@ -186,8 +186,8 @@ BB_API int bb_grid(const char* method, const bb_curve* curve, int steps, double*
 BB_API int bb_flatten(const char* method, const bb_curve* curve, double tolerance, double* t, double* points,
                       size_t capacity, size_t* ends, int* complete);
 
-/* Where the control points of a half or another curve are written: (degree + 1) * dimension values, not premultiplied, and degree + 1
- * weights for BB_RATIONAL, otherwise null. */
+/* Where the control points of a half, a part or an elevated curve are written: (degree + 1) * dimension values, not
+ * premultiplied, and degree + 1 weights for BB_RATIONAL, otherwise null. */
 typedef struct bb_half {
   double* points;
   double* weights;
@@ -217,10 +217,11 @@ BB_API int bb_box(const char* method, const bb_curve* curve, double* out);
 typedef enum bb_roots_of {
   BB_ROOTS_OF_VALUE = 0,      /* where the coordinate `axis` is `value` */
   BB_ROOTS_OF_DERIVATIVE = 1, /* where its derivative is 0: extrema, with the ends only where they are stationary */
-  BB_ROOTS_OF_CURVATURE = 2   /* where a plane curve has no curvature: inflections; a cusp counts twice */
+  BB_ROOTS_OF_CURVATURE = 2   /* where x'y'' = x''y' on a plane curve */
 } bb_roots_of;
 
-/* All true roots with their multiplicities, ascending, each rounded once; an odd multiplicity changes the sign. *count
+/* All true roots with their multiplicities, ascending, each rounded once; an odd multiplicity changes the sign.
+ * Of BB_ROOTS_OF_CURVATURE it is an inflection, an even one a flat point or a cusp. *count
  * becomes their number, SIZE_MAX where every t is one. Where this is at most `capacity` they are written; otherwise nothing
  * is, and both arrays may be null for capacity 0. A curve of degree n has at most n, 2n - 1 and 3n. `axis` and `value` mean
  * nothing where `of` does not name them. BB_ERROR_NO_POINT where a rational curve has a pole in [0, 1]. */
