@@ -82,7 +82,7 @@ int degree_for(const Points& points) {
   return degree_of_points(points, Method::info.min_degree, highest);
 }
 
-#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(BEZIERBENCH_SLOW_FMA)
+#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__ARM_FEATURE_FMA) || defined(BEZIERBENCH_SLOW_FMA)
 inline constexpr bool warns_of_slow_fma = false;
 #else
 inline constexpr bool warns_of_slow_fma = true;
@@ -90,7 +90,7 @@ inline constexpr bool warns_of_slow_fma = true;
 inline void use_of_fma(std::false_type /*warns*/) {}
 [[deprecated(
     "bezierbench: this method is fused, and std::fma is a call with these options, several times slower: compile with "
-    "-march=x86-64-v3 or define BEZIERBENCH_SLOW_FMA")]] inline void
+    "the option for your processor (-march=x86-64-v3 on x86) or define BEZIERBENCH_SLOW_FMA")]] inline void
 use_of_fma(std::true_type /*warns*/) {}
 
 /// Warns where a fused method is named that the compiler's options make slow.
