@@ -352,9 +352,12 @@ TEST(C, FilesOfCurvesAreRead) {
 /// y = x^2 / 4 over [0, 3]: p(t) = (3 t, 9/4 t^2) has |C''| = 9/2, so that 2 chords keep a tolerance of 9/64.
 TEST(C, ChordsLeadFromEndToEnd) {
   const std::vector<double> points{0, 0, 1.5, 0, 3, 2.25};
-  const bb_curve curve{BB_BERNSTEIN, 2, 2, points.data(), nullptr};
+  const bb_curve parabola_of_x{BB_BERNSTEIN, 2, 2, points.data(), nullptr};
+  constexpr std::array equal{2.0, 2.0, 2.0};
+  const bb_curve weighted{BB_RATIONAL, 2, 2, points.data(), equal.data()};
   for (const auto& method : methods("flattening")) {
     if (method.min_degree > 2) continue;
+    const bb_curve& curve = method.form == BB_RATIONAL ? weighted : parabola_of_x;
     std::size_t ends = 0;
     int complete = 0;
     ASSERT_EQ(bb_flatten(method.id, &curve, 9.0 / 64, nullptr, nullptr, 0, &ends, &complete), BB_OK) << method.id;
@@ -371,6 +374,10 @@ TEST(C, ChordsLeadFromEndToEnd) {
   }
   std::size_t ends = 7;
   int complete = 7;
+  const auto& curve = parabola_of_x;
+  constexpr std::array opposite{1.0, 0.0, -1.0};
+  const bb_curve pole{BB_RATIONAL, 2, 2, points.data(), opposite.data()};
+  EXPECT_EQ(bb_flatten("halving_distance", &pole, 1, nullptr, nullptr, 0, &ends, &complete), BB_ERROR_NO_POINT);
   EXPECT_EQ(bb_flatten("wang_count", &curve, 0, nullptr, nullptr, 0, &ends, &complete), BB_ERROR_TOLERANCE);
   EXPECT_EQ(bb_flatten("wang_count", &rational, 1, nullptr, nullptr, 0, &ends, &complete), BB_ERROR_FORM);
   EXPECT_EQ(bb_flatten("wang_count", &curve, 1, nullptr, nullptr, 0, nullptr, &complete), BB_ERROR_NULL);
@@ -407,10 +414,13 @@ TEST(C, DerivativesAndGridsAreThoseOfTheCurve) {
       }
     }
   }
+  constexpr std::array equal{2.0, 2.0, 2.0};
   for (const auto& method : methods("grid")) {
-    if (method.form != BB_BERNSTEIN) continue;
+    if (method.form == BB_POWER) continue;
     std::array<double, 10> out{};
-    ASSERT_EQ(bb_grid(method.id, &parabola, 4, out.data()), BB_OK) << method.id;
+    const bb_curve weighted{BB_RATIONAL, 2, 2, parabola.points, equal.data()};
+    const bb_curve& curve = method.form == BB_RATIONAL ? weighted : parabola;
+    ASSERT_EQ(bb_grid(method.id, &curve, 4, out.data()), BB_OK) << method.id;
     for (const int k : {0, 1, 2, 3, 4}) {
       const double t = k / 4.0;
       EXPECT_EQ(out[2 * static_cast<std::size_t>(k)], 2 * t + t * t) << method.id;
@@ -423,6 +433,10 @@ TEST(C, DerivativesAndGridsAreThoseOfTheCurve) {
   EXPECT_EQ(bb_derivative("de_casteljau", &parabola, 1, &t, 1, &out), BB_ERROR_METHOD);
   EXPECT_EQ(bb_grid("pointwise_de_casteljau", &parabola, 5, &out), BB_ERROR_COUNT);
   EXPECT_EQ(bb_grid("pointwise_de_casteljau", &parabola, 4, nullptr), BB_ERROR_NULL);
+  constexpr std::array opposite{1.0, 0.0, -1.0};
+  const bb_curve pole{BB_RATIONAL, 2, 2, parabola.points, opposite.data()};
+  std::array<double, 10> points{};
+  EXPECT_EQ(bb_grid("pointwise_de_casteljau", &pole, 4, points.data()), BB_ERROR_NO_POINT);
   EXPECT_EQ(out, 7);
 }
 

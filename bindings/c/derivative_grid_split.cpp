@@ -10,6 +10,7 @@
 #include "core/grid/grid.hpp"
 #include "core/grid/kernel.hpp"
 #include "core/subdivide/kernel.hpp"
+#include "reference/companion/pole.hpp"
 
 using namespace bezierbench;
 
@@ -35,6 +36,7 @@ int bb_grid(const char* method, const bb_curve* curve, int steps, double* out) {
     const auto& kernel = c::chosen(grid_kernels(view.dimension), method, view);
     c::require(is_grid(steps), BB_ERROR_COUNT);
     c::require_pointers(out);
+    c::require(!reference::pole(view), BB_ERROR_NO_POINT);
     kernel.points(view, steps, out);
   });
 }

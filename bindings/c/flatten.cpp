@@ -5,6 +5,7 @@
 
 #include "bindings/c/chosen.hpp"
 #include "core/flatten/kernel.hpp"
+#include "reference/companion/pole.hpp"
 
 using namespace bezierbench;
 
@@ -13,6 +14,7 @@ int bb_flatten(const char* method, const bb_curve* curve, double tolerance, doub
   return c::guarded([&] {
     const auto view = c::curve_of(curve);
     const auto& kernel = c::chosen(flatten_kernels(view.dimension), method, view);
+    c::require(!reference::pole(view), BB_ERROR_NO_POINT);
     c::require(std::isfinite(tolerance) && tolerance > 0, BB_ERROR_TOLERANCE);
     c::require_pointers(ends, complete);
     Flattening chords;

@@ -120,6 +120,8 @@ class Points(unittest.TestCase):
         self.assertEqual(bezierbench.derivative([0, 0, 1], 0.5, form="power").tolist(), [1])
         self.assertTrue(np.isnan(bezierbench.derivative(CURVE, [0.5, math.nan])[1]).all())
         np.testing.assert_array_equal(bezierbench.grid(CURVE, 5)[:, 0], [0, 0.5625, 1.25, 2.0625, 3])
+        circle = bezierbench.grid([[1, 0], [1, 1], [0, 1]], 3, weights=[1, 1, 2])  # (1 - t^2, 2t) / (1 + t^2)
+        np.testing.assert_allclose(circle, [[1, 0], [0.6, 0.8], [0, 1]], rtol=1e-15)
         halves = bezierbench.split(CURVE, 0.5)
         self.assertEqual((halves.left[:, 0].tolist(), halves.right[:, 0].tolist()), ([0, 0.5, 1.25], [1.25, 2, 3]))
         self.assertIsNone(halves.left_weights)
@@ -334,6 +336,8 @@ class Problems(unittest.TestCase):
                 call()
         with self.assertRaisesRegex(ValueError, "too fine"):
             bezierbench.flatten(parabola, 1e-18)
+        circle = bezierbench.flatten([[1, 0], [1, 1], [0, 1]], 0.16, weights=[1, 0.5**0.5, 1])  # of each half the inner point is 0.159 away
+        np.testing.assert_allclose(circle.points, [[1, 0], [0.5**0.5, 0.5**0.5], [0, 1]], atol=1e-15)
 
     def test_interpolation(self):
         """What the keywords say; the test in C has the numbers."""
@@ -407,7 +411,7 @@ class Problems(unittest.TestCase):
             bezierbench.grid(CURVE, 5, method.id)
         for method in bezierbench.methods("flattening"):
             if method.min_degree <= 2 <= method.max_degree:
-                bezierbench.flatten(CURVE, 0.01, method.id)
+                bezierbench.flatten(CURVE, 0.01, method.id, weights=[1, 1, 1] if method.form == "rational" else None)
         for method in bezierbench.methods("subdivision", "bernstein"):
             bezierbench.split(CURVE, 0.5, method.id)
         for method in bezierbench.methods("bounds", "bernstein"):

@@ -30,5 +30,16 @@ TEST(FlattenApi, TakesHigherDegreesAndRefusesWhatItCannotDo) {
   EXPECT_THROW((void)flatten(Points{{0, 0}, {1, 2}, {2, 0}}, 1e-18), std::invalid_argument);
 }
 
+/// The inner control points of its two halves are 0.159 from their chords.
+TEST(FlattenApi, OfAQuarterCircle) {
+  const Points points{{1, 0}, {1, 1}, {0, 1}};
+  const std::vector<double> weights{1, std::sqrt(0.5), 1};
+  const auto ends = flatten(points, weights, 0.16);
+  ASSERT_EQ(ends.size(), 3U);
+  EXPECT_NEAR(ends[1][0], std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(ends[1][1], std::sqrt(0.5), 1e-15);
+  EXPECT_THROW((void)flatten(points, std::vector<double>{1, 1}, 0.16), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace bezierbench

@@ -38,7 +38,7 @@ struct Flattening {
 /// `flatten(curve, tolerance, chords)` appends the ends of all chords to `chords`, which is empty; the first and the
 /// last are the curve's. The tolerance is above 0.
 template <class M>
-concept FlattenMethod = requires(const Curve<Form::bernstein, double, 2>& curve, double tolerance, Flattening& chords) {
+concept FlattenMethod = requires(const Curve<M::info.form, double, 2>& curve, double tolerance, Flattening& chords) {
   requires M::info.problem == Problem::flattening;
   M::flatten(curve, tolerance, chords);
 };

@@ -9,20 +9,26 @@
 // Cost: 3 d n(n+1)/2 flops for each halving.
 // Bound: distance keeps the tolerance, apart from roundings. The others look at lines, not at chords: a curve that
 //   turns back along its chord is flat to them.
+//   Rational curves are halved in homogeneous coordinates, and a piece with weights of two signs is never flat: its
+//   points need not lie in the hull of its control points.
 // Fails: parts are halves, quarters, ...: up to twice as many chords as required. Depths end at 16.
 #pragma once
 
+#include <algorithm>
+
 #include "core/flatten/flattening.hpp"
+#include "core/homogeneous_coordinates.hpp"
 #include "core/subdivide/subdivision.hpp"
 
 namespace bezierbench {
 
-template <class Criterion>
+template <class Criterion, Form F = Form::bernstein>
 struct Halving {
   static constexpr int deepest = 16;
   static constexpr MethodInfo info{.id = Criterion::id,
                                    .label = Criterion::label,
                                    .problem = Problem::flattening,
+                                   .form = F,
                                    .min_degree = 1,
                                    .promise = Criterion::promise,
                                    .flops = "3d n(n+1)/2",
@@ -35,15 +41,34 @@ struct Halving {
     chords.add(0, control_point(curve, 0));
     add(curve, 0, 1, 0, tolerance, chords);
   }
+  template <int Dimension, int Degree>
+  static void flatten(const Curve<Form::rational, double, Dimension, Degree>& curve, double tolerance,
+                      Flattening& chords) {
+    chords.add(0, control_point(curve.points, 0));
+    add(homogeneous(curve), 0, 1, 0, tolerance, chords);
+    const auto end = control_point(curve.points, curve.degree());
+    std::copy(end.begin(), end.end(), chords.points.end() - Dimension);
+    chords.complete = chords.complete && weights_are_in_range(curve);
+  }
 
  private:
-  template <int Dimension, int Degree>
-  static void add(const Curve<Form::bernstein, double, Dimension, Degree>& piece, double from, double to, int depth,
+  /// `piece` is in homogeneous coordinates where F is the rational form.
+  template <int Axes, int Degree>
+  static void add(const Curve<Form::bernstein, double, Axes, Degree>& piece, double from, double to, int depth,
                   double tolerance, Flattening& chords) {
-    const bool flat = Criterion::is_flat(piece, tolerance);
+    const auto seen = [&piece] {
+      if constexpr (F == Form::rational)
+        return over_last_axis(piece);
+      else
+        return piece;
+    }();
+    const bool flat = is_flat(seen, tolerance);
     if (flat || depth == deepest) {
       chords.complete = chords.complete && flat;
-      chords.add(to, control_point(piece, piece.degree()));
+      if constexpr (F == Form::rational)
+        chords.add(to, control_point(seen.points, seen.degree()));
+      else
+        chords.add(to, control_point(seen, seen.degree()));
       return;
     }
     ++chords.evaluations;
@@ -51,6 +76,15 @@ struct Halving {
     const double middle = 0.5 * (from + to);
     add(halves.left, from, middle, depth + 1, tolerance, chords);
     add(halves.right, middle, to, depth + 1, tolerance, chords);
+  }
+
+  template <int Dimension, int Degree>
+  static bool is_flat(const Curve<Form::bernstein, double, Dimension, Degree>& piece, double tolerance) {
+    return Criterion::is_flat(piece, tolerance);
+  }
+  template <int Dimension, int Degree>
+  static bool is_flat(const Curve<Form::rational, double, Dimension, Degree>& piece, double tolerance) {
+    return weights_have_one_sign(piece) && Criterion::is_flat(piece.points, tolerance);
   }
 };
 

@@ -12,9 +12,17 @@ namespace {
 template <FlattenMethod M, int Fixed, int Dimension>
 void flatten_degree(const CurveView<double>& view, double tolerance, Flattening& chords) {
   constexpr int degree = Fixed == dynamic || M::info.template supports<double>(Fixed) ? Fixed : dynamic;
-  Curve<Form::bernstein, double, Dimension, degree> curve(view.degree);
-  for (int i = 0; i <= view.degree; ++i)
-    for (int axis = 0; axis < Dimension; ++axis) curve(axis, i) = view(axis, i);
+  const auto copy_points = [&](auto& points) {
+    for (int i = 0; i <= view.degree; ++i)
+      for (int axis = 0; axis < Dimension; ++axis) points(axis, i) = view(axis, i);
+  };
+  Curve<M::info.form, double, Dimension, degree> curve(view.degree);
+  if constexpr (M::info.form == Form::rational) {
+    copy_points(curve.points);
+    for (int i = 0; i <= view.degree; ++i) curve.weights[i] = view.weights[static_cast<std::size_t>(i)];
+  } else {
+    copy_points(curve);
+  }
   M::flatten(curve, tolerance, chords);
 }
 

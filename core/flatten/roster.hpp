@@ -8,6 +8,7 @@
 #include "core/flatten/halving.hpp"
 #include "core/flatten/hybrid_differences.hpp"
 #include "core/flatten/levien.hpp"
+#include "core/flatten/rational_count.hpp"
 #include "core/flatten/wang_count.hpp"
 
 namespace bezierbench {
@@ -21,6 +22,9 @@ using FlattenMethods = TypeList<WangCount,                   //
                                 HybridDifferences,           //
                                 Levien,                      //
                                 Hain,                        //
-                                EqualErrors>;
+                                EqualErrors,                 //
+                                RationalCount,               //
+                                Halving<DistanceCriterion, Form::rational>, Halving<AngleCriterion, Form::rational>,
+                                Halving<AreaCriterion, Form::rational>, Halving<LengthCriterion, Form::rational>>;
 
 }  // namespace bezierbench

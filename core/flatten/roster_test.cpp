@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "core/evaluate/evaluation_test.hpp"
 #include "core/flatten/kernel.hpp"
 #include "reference/companion/chord_distance.hpp"
+#include "reference/companion/least_chords.hpp"
+#include "reference/companion/pole.hpp"
 
 namespace bezierbench {
 namespace {
@@ -26,6 +29,15 @@ Flattening flattened(const FlattenKernel& kernel, const CurveView<double>& curve
 
 CurveView<double> in_plane(const std::vector<double>& control_points) {
   return {Form::bernstein, 2, static_cast<int>(control_points.size()) / 2 - 1, control_points};
+}
+
+/// The curve, with weights for a method of rational curves.
+CurveView<double> for_method(const FlattenKernel& kernel, CurveView<double> curve) {
+  static constexpr std::array weights{1.0, 0.5, 3.0, 0.25};
+  if (kernel.info->form != Form::rational) return curve;
+  curve.form = Form::rational;
+  curve.weights = std::span(weights).first(static_cast<std::size_t>(curve.degree) + 1);
+  return curve;
 }
 
 const FlattenKernel& kernel_named(std::string_view id, int dimension = 2) {
@@ -77,7 +89,7 @@ void for_awkward_curves(const Check& check) {
     const double tolerance = sizes[kind] * (trial % 2 == 0 ? 0.07 : 0.0007);
     for (const auto& kernel : flatten_kernels(dimension))
       if (kernel.info->supports<double>(degree))
-        check(kernel, CurveView<double>{Form::bernstein, dimension, degree, b}, tolerance);
+        check(kernel, for_method(kernel, {Form::bernstein, dimension, degree, b}), tolerance);
   }
 }
 
@@ -137,8 +149,8 @@ TEST(Flatten, ScalingByFourChangesNoParameter) {
     for (double& x : quarter) x *= 0.25;
     for (const auto& kernel : flatten_kernels(2)) {
       if (!kernel.info->supports<double>(3)) continue;
-      EXPECT_EQ(flattened(kernel, in_plane(b), 1e-3).t, flattened(kernel, in_plane(quarter), 0.25e-3).t)
-          << kernel.info->id;
+      const auto chords = flattened(kernel, for_method(kernel, in_plane(b)), 1e-3);
+      EXPECT_EQ(chords.t, flattened(kernel, for_method(kernel, in_plane(quarter)), 0.25e-3).t) << kernel.info->id;
     }
   }
 }
@@ -160,8 +172,9 @@ TEST(Flatten, FourTimesFinerTakesTwiceTheChords) {
   const std::vector<double> cubic{0, 0, 0.25, 0.75, 0.75, 1, 1, 0.25};
   for (const auto& kernel : flatten_kernels(2)) {
     if (!kernel.info->supports<double>(3)) continue;
-    const double coarse = static_cast<double>(flattened(kernel, in_plane(cubic), 0x1p-16).t.size()) - 1;
-    const double fine = static_cast<double>(flattened(kernel, in_plane(cubic), 0x1p-18).t.size()) - 1;
+    const auto curve = for_method(kernel, in_plane(cubic));
+    const double coarse = static_cast<double>(flattened(kernel, curve, 0x1p-16).t.size()) - 1;
+    const double fine = static_cast<double>(flattened(kernel, curve, 0x1p-18).t.size()) - 1;
     EXPECT_NEAR(fine / coarse, 2, 0.03) << kernel.info->id;
   }
 }
@@ -193,6 +206,62 @@ TEST(Flatten, Kurbo426) {
   EXPECT_LE(flattened(kernel_named("equal_errors"), in_plane(b), 0.25).t.size(), 4U);
   for (const auto id : {"equal_errors", "wang_count", "halving_distance", "halving_angle", "hybrid_differences"})
     EXPECT_EQ(judged(in_plane(b), flattened(kernel_named(id), in_plane(b), 0.25), 0.25), Kept::proved) << id;
+}
+
+/// Weights over eight binades, and of both signs inside: the two methods that promise the tolerance keep it, or say
+/// that they did not.
+TEST(Flatten, RationalCurvesKeepTheTolerance) {
+  Inputs inputs(13);
+  int proved = 0;
+  int with_signs = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const int n = 2 + trial % 4;
+    const int d = 1 + trial % 3;
+    const auto b = inputs.coefficients(n, d);
+    std::vector<double> weights;
+    for (int i = 0; i <= n; ++i) {
+      const bool inside = i > 0 && i < n;
+      weights.push_back(trial % 2 == 1 && inside ? inputs.symmetric() : std::exp2(4 * inputs.symmetric()));
+    }
+    const CurveView<double> curve{Form::rational, d, n, b, weights};
+    if (reference::pole(curve)) continue;
+    const bool mixed = std::ranges::any_of(weights, [](double w) { return w < 0; });
+    for (const auto id : {"halving_distance", "zheng_sederberg_count"}) {
+      const auto& kernel = *std::ranges::find_if(
+          flatten_kernels(d), [&](const auto& one) { return one.info->id == id && one.info->form == Form::rational; });
+      const auto chords = flattened(kernel, curve, 1e-3);
+      if (!chords.complete) {
+        EXPECT_TRUE(mixed) << id << " trial " << trial;
+        continue;
+      }
+      EXPECT_EQ(judged(curve, chords, 1e-3), Kept::proved) << id << " trial " << trial;
+      ++(mixed ? with_signs : proved);
+    }
+  }
+  EXPECT_GT(proved, 400);
+  EXPECT_GT(with_signs, 40);
+}
+
+/// A chord of the unit circle over the angle a is 1 - cos(a/2) from it: a quarter takes pi / (4 acos(1 - E)) chords. No
+/// method has fewer. Equal steps of this parameter turn 1.17 times as far in the middle as at the ends, and halving
+/// doubles the number of chords.
+TEST(Flatten, AQuarterCircle) {
+  const std::vector<double> points{1, 0, 1, 1, 0, 1};
+  const std::vector<double> weights{1, std::sqrt(0.5), 1};
+  const CurveView<double> circle{Form::rational, 2, 2, points, weights};
+  for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+    const double least = std::acos(0.0) / (2 * std::acos(1 - tolerance));
+    const auto bounds = reference::least_chords(reference::ScaledCurve(circle), tolerance);
+    EXPECT_EQ(bounds.high, std::ceil(least));
+    EXPECT_EQ(bounds.low, bounds.high);
+    for (const auto& kernel : flatten_kernels(2)) {
+      if (kernel.info->form != Form::rational) continue;
+      const auto chords = flattened(kernel, circle, tolerance);
+      EXPECT_GE(static_cast<double>(chords.t.size()) - 1, least) << kernel.info->id;
+      if (kernel.info->id != "halving_length")
+        EXPECT_LE(static_cast<double>(chords.t.size()) - 1, 2.4 * least + 2) << kernel.info->id;
+    }
+  }
 }
 
 /// M(r) of equal_errors.hpp at 20,000 t.

@@ -36,6 +36,21 @@ double wang_count(const Curve<Form::bernstein, double, Dimension, Degree>& curve
   return std::max(std::ceil(std::sqrt(largest_second_derivative(curve) / tolerance * 0.125)), 1.0);
 }
 
+/// Appends `wanted` chords with equal steps of t between the first and the last of the control points, the others
+/// computed by `Method`. Not complete where there would be too many.
+template <class Method, class C, int Dimension, int Degree>
+void add_equal_steps(const C& curve, const Curve<Form::bernstein, double, Dimension, Degree>& control_points,
+                     double wanted, Flattening& chords) {
+  chords.complete = wanted <= max_chords;
+  const int count = chords.complete ? static_cast<int>(wanted) : max_chords;
+  const auto prepared = Method::prepare(curve);
+  const double step = 1.0 / count;
+  chords.add(0, control_point(control_points, 0));
+  for (int k = 1; k < count; ++k) chords.add(k * step, Method::evaluate(prepared, k * step));
+  chords.add(1, control_point(control_points, control_points.degree()));
+  chords.evaluations = count - 1;
+}
+
 struct WangCount {
   static constexpr MethodInfo info{.id = "wang_count",
                                    .label = "Equal steps by Wang's count",
@@ -48,15 +63,7 @@ struct WangCount {
   template <int Dimension, int Degree>
   static void flatten(const Curve<Form::bernstein, double, Dimension, Degree>& curve, double tolerance,
                       Flattening& chords) {
-    const double wanted = wang_count(curve, tolerance);
-    chords.complete = wanted <= max_chords;
-    const int count = chords.complete ? static_cast<int>(wanted) : max_chords;
-    const auto prepared = HornerBernstein::prepare(curve);
-    const double step = 1.0 / count;
-    chords.add(0, control_point(curve, 0));
-    for (int k = 1; k < count; ++k) chords.add(k * step, HornerBernstein::evaluate(prepared, k * step));
-    chords.add(1, control_point(curve, curve.degree()));
-    chords.evaluations = count - 1;
+    add_equal_steps<HornerBernstein>(curve, curve, wang_count(curve, tolerance), chords);
   }
 };
 

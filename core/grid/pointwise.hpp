@@ -3,7 +3,7 @@
 //   than.
 // Source: that of the evaluator.
 // Cost: the evaluator's and one product for t_k.
-// Bound: the evaluator's, at every k the same.
+// Bound: the evaluator's in [0, 1], at every k the same.
 // Fails: where the evaluator does.
 #pragma once
 
@@ -24,7 +24,7 @@ struct Pointwise {
 
 template <Evaluator E>
 struct Pointwise {
-  static_assert(E::info.bound->result_roundings == 0 && !E::info.bound->unit_interval_only);
+  static_assert(E::info.bound->result_roundings == 0);
 
   static constexpr GridBound bound{
       .text = E::info.bound->text,

@@ -2,6 +2,7 @@
 // Every method for points on grids. One line here makes it exist everywhere.
 #pragma once
 
+#include "core/evaluate/homogeneous.hpp"
 #include "core/evaluate/methods/de_casteljau.hpp"
 #include "core/evaluate/methods/horner.hpp"
 #include "core/evaluate/methods/horner_bernstein.hpp"
@@ -14,6 +15,7 @@ using GridMethods = TypeList<Pointwise<DeCasteljau>,        //
                              Pointwise<HornerBernstein>,    //
                              ForwardDifferencingBernstein,  //
                              Pointwise<Horner>,             //
-                             ForwardDifferencing>;
+                             ForwardDifferencing,           //
+                             Pointwise<Homogeneous<DeCasteljau>>, Pointwise<Homogeneous<HornerBernstein>>>;
 
 }  // namespace bezierbench

@@ -37,7 +37,8 @@ TEST(Grid, PointsOfACubicAreExactWhereNothingRounds) {
   const std::vector<double> expected{0, 4, 0x1p-6, 3.25, 0x1p-3, 2.5, 27.0 / 64, 1.75, 1, 1};
   for (const auto& kernel : grid_kernels(2)) {
     const auto& coefficients = kernel.info->form == Form::power ? in_powers : control_points;
-    EXPECT_EQ(points(kernel, {kernel.info->form, 2, 3, coefficients}, 4), expected) << kernel.info->id;
+    const std::vector<double> weights(kernel.info->form == Form::rational ? 4 : 0, 2.0);
+    EXPECT_EQ(points(kernel, {kernel.info->form, 2, 3, coefficients, weights}, 4), expected) << kernel.info->id;
   }
 }
 
@@ -102,13 +103,43 @@ TEST(Grid, EveryPointKeepsItsBound) {
     const int n = static_cast<int>(inputs.unit() * (trial % 40 == 0 ? 40 : 9));
     const auto c = nasty(trial % nasty_kinds, n, inputs);
     const int steps = 1 << (trial % 8);
-    for (const auto& kernel : grid_kernels(1)) judged(kernel, {kernel.info->form, 1, n, c}, steps);
+    for (const auto& kernel : grid_kernels(1))
+      if (kernel.info->form != Form::rational) judged(kernel, {kernel.info->form, 1, n, c}, steps);
   }
+}
+
+/// Nothing underflows here, so that the bound is its factor times u p~.
+TEST(Grid, EveryPointOfARationalCurveKeepsItsBound) {
+  Inputs inputs(6);
+  reference::ExactCurve exact;
+  reference::TrialScale scale;
+  int judged_points = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const int n = trial % 7;
+    const auto c = inputs.coefficients(n, 1);
+    std::vector<double> weights;
+    for (int i = 0; i <= n; ++i) weights.push_back(std::exp2(20 * inputs.symmetric()));
+    const CurveView<double> curve{Form::rational, 1, n, c, weights};
+    for (const auto& kernel : grid_kernels(1)) {
+      if (kernel.info->form != Form::rational) continue;
+      const auto all = points(kernel, curve, 16);
+      for (int k = 0; k <= 16; ++k) {
+        scale.set(curve, k / 16.0);
+        const reference::Distance truth(exact.point(curve, k / 16.0));
+        const double error = truth.to(std::span(all).subspan(static_cast<std::size_t>(k), 1));
+        EXPECT_LE(scale.in_bound_units(error, reference::double_arithmetic),
+                  kernel.bound->factor(n, k, reference::double_arithmetic.unit_roundoff));
+        ++judged_points;
+      }
+    }
+  }
+  EXPECT_EQ(judged_points, 2 * 60 * 17);
 }
 
 /// Of random cubics, on grids of 64 and 4096 steps: evaluation point by point does not depend on the number of steps.
 TEST(Grid, TheErrorOfForwardDifferencingGrowsWithTheSteps) {
   for (const auto& kernel : grid_kernels(1)) {
+    if (kernel.info->form == Form::rational) continue;
     Inputs inputs(5);
     double coarse = 0;
     double fine = 0;

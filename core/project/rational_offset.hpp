@@ -11,6 +11,7 @@
 #pragma once
 
 #include "core/arc_length/rational_hodograph.hpp"
+#include "core/homogeneous_coordinates.hpp"
 #include "core/project/kernel.hpp"
 #include "core/project/offset_curve.hpp"
 
@@ -110,20 +111,6 @@ template <int Dimension>
 RationalOffset<Dimension> offset_of(const Curve<Form::rational, double, Dimension>& curve,
                                     const Point<double, Dimension>& point) {
   return RationalOffset<Dimension>(curve, point);
-}
-
-/// Whether all products of the scaled weights with coordinates are normal numbers, or 0 for a weight 0.
-template <int Dimension>
-bool weights_are_in_range(const Curve<Form::rational, double, Dimension>& curve) {
-  constexpr double widest = 0x1p900;
-  double least = std::numeric_limits<double>::infinity();
-  double largest = 0;
-  for (int i = 0; i <= curve.degree(); ++i) {
-    const double size = std::abs(curve.weights[i]);
-    largest = std::max(largest, size);
-    if (size > 0) least = std::min(least, size);
-  }
-  return largest / widest <= least;
 }
 
 /// A method for polynomial curves that requires no more than distances, V and W. It states no bound of the residual,

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "core/evaluate/joined.hpp"
+#include "core/homogeneous_coordinates.hpp"
 #include "core/subdivide/subdivision.hpp"
 
 namespace bezierbench {
@@ -59,30 +60,14 @@ requires(Method::info.form == Form::bernstein) struct HomogeneousSplit {
   static Halves<Curve<Form::rational, Scalar, Dimension, Degree>> split(
       const Curve<Form::rational, Scalar, Dimension, Degree>& curve, Scalar t) {
     const int n = curve.degree();
-    Curve<Form::bernstein, Scalar, Dimension + 1, Degree> lifted(n);
-    for (int i = 0; i <= n; ++i) {
-      for (int axis = 0; axis < Dimension; ++axis) lifted(axis, i) = curve.weights[i] * curve.points(axis, i);
-      lifted(Dimension, i) = curve.weights[i];
-    }
-    const auto halves = Method::split(lifted, t);
-    Halves<Curve<Form::rational, Scalar, Dimension, Degree>> result{divided(halves.left), divided(halves.right)};
+    const auto halves = Method::split(homogeneous(curve), t);
+    Halves<Curve<Form::rational, Scalar, Dimension, Degree>> result{over_last_axis(halves.left),
+                                                                    over_last_axis(halves.right)};
     for (int axis = 0; axis < Dimension; ++axis) {
       result.left.points(axis, 0) = curve.points(axis, 0);
       result.right.points(axis, n) = curve.points(axis, n);
     }
     return result;
-  }
-
- private:
-  template <class Scalar, int Lifted, int Degree>
-  static Curve<Form::rational, Scalar, Lifted - 1, Degree> divided(
-      const Curve<Form::bernstein, Scalar, Lifted, Degree>& lifted) {
-    Curve<Form::rational, Scalar, Lifted - 1, Degree> curve(lifted.degree());
-    for (int i = 0; i <= lifted.degree(); ++i) {
-      curve.weights[i] = lifted(Lifted - 1, i);
-      for (int axis = 0; axis < Lifted - 1; ++axis) curve.points(axis, i) = lifted(axis, i) / curve.weights[i];
-    }
-    return curve;
   }
 };
 

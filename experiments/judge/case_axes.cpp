@@ -68,7 +68,8 @@ std::vector<CaseValues> cases_of(const suite::Study& study, const CaseAxes& axes
   if (axes.tolerance) sweep(all, study.tolerance, [](CaseValues& one, double tolerance) { one.tolerance = tolerance; });
   sweep(all, study.points, [](CaseValues& one, int points) { one.points = points; });
   if (axes.data) sweep(all, ids_of(sample::data_kinds()), [](CaseValues& one, auto id) { one.data = id; });
-  if (axes.placement) sweep(all, ids_of(sample::placements()), [](CaseValues& one, auto id) { one.placement = id; });
+  if (axes.placement)
+    sweep(all, sample::placement_ids(study.form), [](CaseValues& one, auto id) { one.placement = id; });
   if (axes.knots) sweep(all, ids_of(sample::knot_kinds()), [](CaseValues& one, auto id) { one.knots = id; });
   return all;
 }

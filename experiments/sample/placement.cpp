@@ -27,6 +27,23 @@ Vector difference_at(const ProjectionCase& problem, int k, double t) {
   return b.points;
 }
 
+/// The point of the curve at t. Its rounding errors do not matter.
+Vector point_at(const ProjectionCase& problem, double t) {
+  if (problem.weights.empty()) return difference_at(problem, 0, t);
+  ProjectionCase homogeneous{problem.dimension + 1, problem.degree, {}, {}, {}};
+  for (std::size_t i = 0; i < problem.weights.size(); ++i) {
+    const auto d = static_cast<std::size_t>(problem.dimension);
+    for (std::size_t axis = 0; axis < d; ++axis)
+      homogeneous.points.push_back(problem.weights[i] * problem.points[i * d + axis]);
+    homogeneous.points.push_back(problem.weights[i]);
+  }
+  auto point = difference_at(homogeneous, 0, t);
+  const double weight = point.back();
+  point.pop_back();
+  for (double& x : point) x /= weight;
+  return point;
+}
+
 double dot(const Vector& a, const Vector& b) {
   double sum = 0;
   for (std::size_t axis = 0; axis < a.size(); ++axis) sum += a[axis] * b[axis];
@@ -35,11 +52,11 @@ double dot(const Vector& a, const Vector& b) {
 
 void uniform(ProjectionCase& /*problem*/, double /*t*/) {}
 
-void on_curve(ProjectionCase& problem, double t) { problem.point = difference_at(problem, 0, t); }
+void on_curve(ProjectionCase& problem, double t) { problem.point = point_at(problem, t); }
 
 /// 2^-20, about a millionth, of the way from the curve to the drawn point.
 void beside(ProjectionCase& problem, double t) {
-  const auto foot = difference_at(problem, 0, t);
+  const auto foot = point_at(problem, t);
   for (std::size_t axis = 0; axis < foot.size(); ++axis)
     problem.point[axis] = foot[axis] + 0x1p-20 * (problem.point[axis] - foot[axis]);
 }
@@ -88,6 +105,8 @@ void mirrored(ProjectionCase& problem, double /*t*/) {
     for (int axis = 0; axis < problem.dimension; ++axis)
       at(problem, n - i, axis) = axis == 0 ? -at(problem, i, axis) : at(problem, i, axis);
   if (n % 2 == 0) at(problem, n / 2, 0) = 0;
+  for (std::size_t i = 0; i < problem.weights.size() / 2; ++i)
+    problem.weights[problem.weights.size() - 1 - i] = problem.weights[i];
   problem.point[0] = 0;
 }
 
@@ -102,13 +121,14 @@ void line(ProjectionCase& problem, double /*t*/) {
     }
 }
 
-constexpr std::array all{Placement{"uniform", "as a control point", uniform},
-                         Placement{"on_curve", "on the curve, rounded", on_curve},
-                         Placement{"beside", "a millionth of the way from the curve to a uniform point", beside},
-                         Placement{"centre", "the centre of curvature", centre},
-                         Placement{"cusp", "in a cusp of the curve", cusp},
-                         Placement{"mirrored", "on the axis of a symmetric curve", mirrored},
-                         Placement{"line", "as a control point; the curve is a line at constant speed", line}};
+constexpr std::array all{
+    Placement{"uniform", "as a control point", uniform, true},
+    Placement{"on_curve", "on the curve, rounded", on_curve, true},
+    Placement{"beside", "a millionth of the way from the curve to a uniform point", beside, true},
+    Placement{"centre", "the centre of curvature", centre},
+    Placement{"cusp", "in a cusp of the curve", cusp},
+    Placement{"mirrored", "on the axis of a symmetric curve", mirrored, true},
+    Placement{"line", "as a control point; the curve is a line at constant speed, unless it is rational", line, true}};
 
 bool is_finite(const ProjectionCase& problem) {
   const auto finite = [](double x) { return std::isfinite(x); };
@@ -126,6 +146,13 @@ double largest_coordinate(const ProjectionCase& problem) {
 
 std::span<const Placement> placements() { return all; }
 
+std::vector<std::string_view> placement_ids(Form form) {
+  std::vector<std::string_view> ids;
+  for (const auto& placement : all)
+    if (placement.is_rational || form != Form::rational) ids.push_back(placement.id);
+  return ids;
+}
+
 Cell with_point(Cell cell) {
   ++cell.degree;
   return cell;
@@ -138,7 +165,9 @@ ProjectionCase place(const Placement& placement, const Sampler& sampler, const C
   ProjectionCase problem{cell.dimension,
                          cell.degree,
                          {drawn.coefficients.begin(), drawn.coefficients.end() - d},
-                         {drawn.coefficients.end() - d, drawn.coefficients.end()}};
+                         {drawn.coefficients.end() - d, drawn.coefficients.end()},
+                         drawn.weights};
+  if (!problem.weights.empty()) problem.weights.pop_back();  // that of the point
   auto placed = problem;
   placement.place(placed, drawn.t);
   return is_finite(placed) ? placed : problem;

@@ -12,12 +12,13 @@
 
 namespace bezierbench::sample {
 
-/// A curve in Bernstein form and a point with as many coordinates.
+/// A curve with control points and a point with as many coordinates.
 struct ProjectionCase {
   int dimension = 0;
   int degree = 0;
   std::vector<double> points;  ///< point by point
   std::vector<double> point;
+  std::vector<double> weights;  ///< of a rational curve
 };
 
 /// The largest |coordinate| of the control points and the point.
@@ -27,10 +28,13 @@ struct Placement {
   std::string_view id;
   std::string_view what;
   void (*place)(ProjectionCase& problem, double t);
+  bool is_rational = false;  ///< whether it places points for rational curves, too
 };
 
 /// All placements.
 std::span<const Placement> placements();
+/// Those for curves of a form.
+std::vector<std::string_view> placement_ids(Form form);
 
 /// Trial `trial` of the cell. The point is placed relative to the parameter that is drawn with the curve. Both stay as
 /// they are drawn where the placement leaves the range of double: `cusp` moves a control point by up to 2^n R. `sampler`

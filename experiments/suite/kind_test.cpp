@@ -135,9 +135,8 @@ struct Refusal {
 
 TEST(Kinds, RefuseInputsThatTheyDoNotTake) {
   for (const auto& [kind, more, column, what] :
-       {Refusal{"grid", "curve = \"rational\"", 9,
-                "grids are of polynomial curves; write curve = "
-                "\"bernstein\" or \"power\""},
+       {Refusal{"fitting", "curve = \"rational\"", 9,
+                "data are taken from polynomial Bezier curves; write curve = \"bernstein\""},
         Refusal{"conversion", "curve = \"rational\"", 9, "conversions take polynomial curves"},
         Refusal{"arc_length", "curve = \"polynomial\"", 9, "write curve = \"bernstein\""},
         Refusal{"subdivision", "curve = \"polynomial\"", 9, "what is split has control points"},

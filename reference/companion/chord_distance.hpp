@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a piece of a curve in Bernstein form is from a chord: an enclosure, proved, and whether it is within a
+// How far a piece of a curve with control points is from a chord: an enclosure, proved, and whether it is within a
 // tolerance, decided by exact arithmetic where the enclosure does not decide.
 //
 // The one-sided distance is the largest distance of a point of the piece from the chord, a segment. The Hausdorff
@@ -36,13 +36,17 @@ struct ChordJudgement {
 };
 
 /// Points and pieces of a curve, times a power of two that brings its largest coordinate into [1/2, 1). Every computed
-/// number is off by at most `slack`: n levels of three roundings for a blossom, 30 halvings of n levels of one
-/// rounding, and at most 60 roundings for a distance, all of numbers below 4, on each axis.
+/// coordinate or distance is off by at most `slack`: n levels of three roundings for a blossom, 30 halvings of n levels
+/// of one rounding, and at most 60 roundings for a distance, all of numbers below 4, on each axis. Of a rational curve
+/// the numerator V and the denominator W have these errors, over sum |w_i| B_i, and V / W twice as many over |W|: for
+/// weights of two signs `slack` is larger by the largest |w_i| over the least |W|.
 class ScaledCurve {
  public:
   using Vector = std::array<double, 3>;
+  using Homogeneous = std::array<double, 4>;  ///< coordinates times the weight, and the weight: 1 if not rational
 
-  /// Finite control points, dimension at most 3. `curve` must outlive this object.
+  /// Finite control points, dimension at most 3, in Bernstein form or in rational form without a pole in [0, 1]. Where
+  /// weights are more than 2^900 apart, `slack` is infinite. `curve` must outlive this object.
   explicit ScaledCurve(const CurveView<double>& curve);
 
   [[nodiscard]] int degree() const { return curve_.degree; }
@@ -53,16 +57,23 @@ class ScaledCurve {
   [[nodiscard]] Vector scaled(std::span<const double> point) const;
   [[nodiscard]] Vector point(double t) const;
   /// The control points of the piece over [from, to], 0 <= from <= to <= 1.
-  void piece(double from, double to, std::vector<Vector>& control_points) const;
+  void piece(double from, double to, std::vector<Homogeneous>& control_points) const;
   [[nodiscard]] const CurveView<double>& given() const { return curve_; }
 
  private:
   CurveView<double> curve_;
   int exponent_;
   double slack_;
-  std::vector<Vector> control_points_;
-  mutable std::vector<Vector> work_;
+  std::size_t axes_;  ///< of the homogeneous coordinates that are computed: without weights the last one stays 1
+  std::vector<Homogeneous> control_points_;
+  mutable std::vector<Homogeneous> work_;
 };
+
+/// A control point from its homogeneous coordinates.
+ScaledCurve::Vector affine(const ScaledCurve::Homogeneous& point);
+
+/// Whether all weights have one sign, so that the points are in the hull of the control points.
+bool is_in_hull(const std::vector<ScaledCurve::Homogeneous>& control_points);
 
 /// The distance of `point` from the segment between the other two.
 double distance_to_segment(const ScaledCurve::Vector& point, const ScaledCurve::Vector& from,
@@ -70,7 +81,7 @@ double distance_to_segment(const ScaledCurve::Vector& point, const ScaledCurve::
 
 /// An enclosure of the largest distance of the piece with these control points from the segment; all scaled. Ends where
 /// the width is at most 2^-10 of the distance or the slack, and `tolerance` is outside or that near.
-Enclosure largest_distance(std::vector<ScaledCurve::Vector> control_points, const ScaledCurve::Vector& from,
+Enclosure largest_distance(std::vector<ScaledCurve::Homogeneous> control_points, const ScaledCurve::Vector& from,
                            const ScaledCurve::Vector& to, double tolerance, double slack);
 
 /// Judges the piece over [t_from, t_to], a part of [0, 1], and the chord between two points.

@@ -33,12 +33,12 @@ class ReachSearch {
   /// Whether the chord is certainly within the tolerance.
   bool is_within(double a, double b) {
     curve_.piece(a, b, piece_);
-    const ScaledVector from = piece_.front();
-    const ScaledVector to = piece_.back();
-    const auto is_near = [&](const ScaledVector& point) {
-      return distance_to_segment(point, from, to) + slack_ <= tolerance_;
+    const ScaledVector from = affine(piece_.front());
+    const ScaledVector to = affine(piece_.back());
+    const auto is_near = [&](const ScaledCurve::Homogeneous& point) {
+      return distance_to_segment(affine(point), from, to) + slack_ <= tolerance_;
     };
-    if (std::ranges::all_of(piece_, is_near)) return true;
+    if (is_in_hull(piece_) && std::ranges::all_of(piece_, is_near)) return true;
     return largest_distance(piece_, from, to, tolerance_, slack_).high <= tolerance_;
   }
 
@@ -92,8 +92,7 @@ class ReachSearch {
     if (box.b.low <= box.a.high) return false;
     const ScaledVector from = curve_.point(box.a.middle());
     const ScaledVector to = curve_.point(box.b.middle());
-    curve_.piece(box.a.low, box.a.high, starts_);
-    curve_.piece(box.b.low, box.b.high, ends_);
+    if (!find_hull(box.a, starts_) || !find_hull(box.b, ends_)) return false;
     constexpr int samples = 8;
     double best = 0;
     int at = 0;
@@ -117,6 +116,14 @@ class ReachSearch {
     }
     return excludes(curve_.point(t_of(std::clamp(place, 0.0, 1.0 * samples))), from, to) ||
            (place != at && excludes(curve_.point(t_of(at)), from, to));
+  }
+
+  /// The control points of the piece; false where they do not contain it.
+  bool find_hull(const ParameterRange& range, std::vector<ScaledVector>& control_points) {
+    curve_.piece(range.low, range.high, piece_);
+    control_points.clear();
+    for (const auto& point : piece_) control_points.push_back(affine(point));
+    return is_in_hull(piece_);
   }
 
   /// Whether the point is certainly beyond the tolerance of all chords from the hull of starts_ to that of ends_.
@@ -152,7 +159,7 @@ class ReachSearch {
   const ScaledCurve& curve_;
   double tolerance_;
   double slack_;
-  std::vector<ScaledVector> piece_;
+  std::vector<ScaledCurve::Homogeneous> piece_;
   std::vector<ScaledVector> starts_;
   std::vector<ScaledVector> ends_;
 };

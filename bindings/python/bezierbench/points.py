@@ -16,7 +16,7 @@ from ._library import NOT_FINITE, Batch, HalfEntry, Strides, check, library
 
 # The methods of derivatives and grids that are taken without a name: they take every degree and every t.
 _DERIVATIVES = {"bernstein": "differences_de_casteljau", "power": "power_derivative"}
-_GRIDS = {"bernstein": "pointwise_de_casteljau", "power": "pointwise_horner"}
+_GRIDS = {"bernstein": "pointwise_de_casteljau", "power": "pointwise_horner", "rational": "pointwise_de_casteljau"}
 
 
 class Points(NamedTuple):
@@ -295,10 +295,11 @@ def derivative(points: ArrayLike, t: ArrayLike, order: int = 1, method: str | No
         name, curve.pointer, order, address(some), some.size, address(out)))
 
 
-def grid(points: ArrayLike, count: int, method: str | None = None, *, form: str = "bernstein") -> Array:
+def grid(points: ArrayLike, count: int, method: str | None = None, *, form: str = "bernstein",
+         weights: ArrayLike | None = None) -> Array:
     """The points at t = k / (count - 1), of shape (count, dimension); `count` is a power of two and one, up to 524289."""
     _require_double(points, "grids are computed in double")
-    curve = GivenCurve(points, form)
+    curve = GivenCurve(points, form, weights)
     steps = count - 1
     if not 1 <= steps <= 524288 or steps & (steps - 1):
         raise ValueError(f"count is {count}; give a power of two and one, 2 to 524289")
@@ -307,13 +308,14 @@ def grid(points: ArrayLike, count: int, method: str | None = None, *, form: str 
     return out
 
 
-def flatten(points: ArrayLike, tolerance: float, method: str | None = None) -> Chords:
+def flatten(points: ArrayLike, tolerance: float, method: str | None = None, *, weights: ArrayLike | None = None) -> Chords:
     """The curve as chords, none farther than `tolerance` > 0, in coordinate units, from its piece of the curve. Without a method
-    that is `equal_errors` up to degree 3, `halving_distance` above. Raises ValueError where the method says that it did not keep
-    the tolerance."""
+    that is `equal_errors` up to degree 3, `halving_distance` above and with weights. Raises ValueError where the method says that
+    it did not keep the tolerance."""
     _require_double(points, "curves are flattened in double")
-    curve = GivenCurve(points)
-    name = _name(method or ("equal_errors" if len(curve.points) <= 4 else "halving_distance"), "bernstein")
+    curve = GivenCurve(points, weights=weights)
+    fewest = "equal_errors" if weights is None and len(curve.points) <= 4 else "halving_distance"
+    name = _name(method or fewest, curve.form)
     ends, complete = ctypes.c_size_t(), ctypes.c_int()
     check(library.bb_flatten(name, curve.pointer, tolerance, None, None, 0, ctypes.byref(ends), ctypes.byref(complete)))
     if not complete.value:

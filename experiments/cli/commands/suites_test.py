@@ -50,7 +50,6 @@ class Suites(Case):
                 (CONVERSION, {"curve": '"rational"', "methods": None}, "curve", "power"),
                 (TIMING, {"methods": '["gauss_legendre_24"]', "modes": '["one_shot"]'}, None, "tolerance"),
                 (TIMING, {"methods": '["direct"]', "baseline": '"de_casteljau"'}, "baseline", "de_casteljau"),
-                (STUDY, {"id": '"d"', "kind": '"grid"', "points": "[9]", "curve": '"rational"'}, "curve", "polynomial"),
                 (TIMING, {"kind": '"arc_length"', "tolerance": "[1e-6]", "t_interval": "[[0, 2]]"}, "t_interval", "within")]:
             asked = {**study, **changes}
             lines = lines_of({**STUDY, "degree": "[2]"}, asked)

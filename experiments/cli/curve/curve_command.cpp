@@ -110,9 +110,8 @@ void refuse_curve(const std::string& name, const CurveFile& curve, const MethodI
   std::string why = why_not(any, curve);
   if (curve.form == Form::rational)
     why = fmt::format(
-        "no method for {} takes rational curves (column w); `curve eval`, `derivative`, `length`, `at-length`, "
-        "`project`, "
-        "`split` and `box` do",
+        "no method for {} takes rational curves (column w); `curve eval`, `grid`, `derivative`, `length`, `at-length`, "
+        "`project`, `split`, `flatten` and `box` do",
         problem);
   else if (curve.form == Form::power)
     why = fmt::format("no method for {} takes the power form; see `curve convert`", problem);

@@ -62,9 +62,9 @@ class CurveFiles(Case):
         with open(self.folder / self.write("c", "[[0,0],[1,2]]"), "rb") as stdin:
             evaluated = self.fine("curve", "eval", "--curve", "-", "--t", "0.5", "--method", "de_casteljau", stdin=stdin)
         self.assertIn("de_casteljau,0.5,y,1,1,0,", evaluated)
-        # The circle is rational, which no method for grids takes: the others are answered, and a line says so.
+        # The circle is rational, which this method does not take: the others are answered, and a line says so.
         self.assertEqual(len(rows(self.fine(*length, "--curve", "logo.svg"))), 9)
-        grid = ["curve", "grid", "--points", "3", "--method", "pointwise_de_casteljau", "--curve"]
+        grid = ["curve", "grid", "--points", "3", "--method", "forward_differencing", "--curve"]
         result = self.run_program(*grid, "logo.svg")
         self.assertEqual(result.returncode, 0)
         self.assertIn("logo.svg: 4 of 9 left out", result.stderr.decode())

@@ -212,8 +212,11 @@ class Curves(Case):
         self.assertEqual([row["bound_u"] for row in rows(self.fine("curve", "grid", "--curve", "m.csv", "--points", "3"))],
                          [row["bound_u"] for row in found])
         self.write("r.csv", "x,w\n0,1\n1,2\n")
+        self.assertEqual({row["value"] for row in rows(self.fine("curve", "grid", "--curve", "r.csv", "--points", "3"))},
+                         {"0", "0.6666666666666666", "1"})
+        self.write("r.csv", "x,w\n0,1\n1,-2\n")
         for arguments, *needles in [(["w.csv", "--points", "4"], "--points 4", "power of two and one"), (["w.csv"], "--points"),
-                                    (["r.csv", "--points", "3"], "r.csv", "column w")]:
+                                    (["r.csv", "--points", "3"], "r.csv", "pole")]:
             with self.subTest(arguments=arguments):
                 self.refused(USAGE, ["curve", "grid", "--curve", *arguments], *needles)
 

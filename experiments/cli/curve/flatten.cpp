@@ -44,6 +44,7 @@ struct Flatten {
 void Flatten::add_rows(const CurveCase<FlattenKernel>& one, CurveTable& table) const {
   const auto curve = one.curve.view();
   const auto d = static_cast<std::size_t>(curve.dimension);
+  refuse_pole(curve, 0, 1, one.name);
   const reference::ScaledCurve scaled(curve);
   const auto least = reference::least_chords(scaled, tolerance_);
   Flattening chords;
@@ -71,6 +72,7 @@ void Flatten::add_rows(const CurveCase<FlattenKernel>& one, CurveTable& table) c
 void Flatten::add_to_set(std::span<const CurveCase<FlattenKernel>> cases, const std::string& id,
                          curves::CurveSet& set) const {
   const auto& one = cases.front();
+  refuse_pole(one.curve.view(), 0, 1, one.name);
   Flattening chords;
   one.methods.front()->flatten(one.curve.view(), tolerance_, chords);
   if (!std::ranges::all_of(chords.points, [](double x) { return std::isfinite(x); }))

@@ -30,6 +30,7 @@ void Grid::add_rows(const CurveCase<GridKernel>& one, CurveTable& table) const {
     throw Failure(Exit::usage, "--points {}: must be a power of two and one, 2 to {}", points, max_grid_steps + 1);
   const auto curve = one.curve.view();
   const auto d = static_cast<std::size_t>(curve.dimension);
+  refuse_pole(curve, 0, 1, one.name);
   std::vector<CurveFile> coordinates;
   for (int axis = 0; axis < curve.dimension; ++axis) coordinates.push_back(one.curve.along(axis));
   std::vector<double> computed(static_cast<std::size_t>(points) * d);

@@ -81,6 +81,7 @@ void FlatteningProblem::draw(std::uint64_t number, Drawn& drawn) const {
   drawn.reversed.clear();
   for (std::size_t k = curve.coefficients.size(); k > 0; k -= d)
     for (std::size_t axis = 0; axis < d; ++axis) drawn.reversed.push_back(curve.coefficients[k - d + axis]);
+  drawn.reversed_weights.assign(curve.weights.rbegin(), curve.weights.rend());
   drawn.scaled.emplace(curve);
   drawn.least_for = 0;
 }
@@ -112,13 +113,15 @@ void FlatteningProblem::judge(const Kernel& method, Drawn& drawn, double toleran
   if (judgement.refuted) {
     errors.broken.add(number);
     if (method.keeps_tolerance && chords.complete) errors.broken_promises.add(number);
-    const auto& points = drawn.curve.coefficients;
-    errors.worst.merge({judgement.distance.low / absolute, number, {points.begin(), points.end()}});
+    std::vector<double> numbers(drawn.curve.coefficients.begin(), drawn.curve.coefficients.end());
+    numbers.insert(numbers.end(), drawn.curve.weights.begin(), drawn.curve.weights.end());
+    errors.worst.merge({judgement.distance.low / absolute, number, std::move(numbers)});
   } else if (!judgement.proved) {
     errors.undecided.add(number);
   }
   auto curve = drawn.curve;
   curve.coefficients = drawn.reversed;
+  curve.weights = drawn.reversed_weights;
   Flattening reversed;
   method.flatten(curve, absolute, reversed);
   if (are_reversed(chords, reversed, static_cast<std::size_t>(curve.dimension))) return;
@@ -133,8 +136,8 @@ bool FlatteningProblem::is_right(const Kernel& /*method*/, const Drawn& drawn, d
 
 tables::Field worst_curve(const FlatteningErrors& errors) {
   std::string text;
-  for (const double coordinate : errors.worst.control_points)
-    text += (text.empty() ? "" : " ") + tables::text(tables::Hexadecimal{coordinate});
+  for (const double number : errors.worst.numbers)
+    text += (text.empty() ? "" : " ") + tables::text(tables::Hexadecimal{number});
   return tables::field(text);
 }
 
@@ -154,8 +157,8 @@ extern constexpr StudyKind flattening_kind =
                                        .about = "chords within a tolerance: whether it is kept, and how many there are",
                                        .own = flattening_fields,
                                        .methods_example = "[\"wang_count\"]",
-                                       .inputs = {.forms = suite::bernstein_form,
-                                                  .forms_reason = "what is flattened are polynomial Bezier curves",
+                                       .inputs = {.forms = suite::forms_with_control_points,
+                                                  .forms_reason = "what is flattened are curves with control points",
                                                   .double_only = true,
                                                   .least_degree = 1,
                                                   .least_degree_reason = "a chord has two ends",

@@ -24,11 +24,11 @@ namespace bezierbench::studies {
 struct WorstFlattening {
   double over_tolerance = 0;
   std::uint64_t trial = 0;
-  std::vector<double> control_points;
+  std::vector<double> numbers;  ///< control points and, of a rational curve, weights
 
   template <class Bytes, class Self>
   static auto each_field(Bytes& bytes, Self& self) {
-    return bytes(self.over_tolerance, self.trial, self.control_points);
+    return bytes(self.over_tolerance, self.trial, self.numbers);
   }
   void merge(const WorstFlattening& other) {
     const bool same = other.over_tolerance == over_tolerance;
@@ -61,7 +61,8 @@ struct FlatteningErrors {
   }
 };
 
-/// The control points of the worst trial in hexadecimal, point by point; empty where no tolerance is broken.
+/// The control points of the worst trial in hexadecimal, point by point, and the weights of a rational curve; empty where
+/// no tolerance is broken.
 tables::Field worst_curve(const FlatteningErrors& errors);
 
 class FlatteningProblem {
@@ -77,7 +78,8 @@ class FlatteningProblem {
   using Row = TrialRow<Kernel, Errors>;
   struct Drawn : judge::DrawnCurve {
     double size = 0;  ///< largest extent of the control points; without any, the largest coordinate or else 1
-    std::vector<double> reversed;  ///< control points
+    std::vector<double> reversed;          ///< control points
+    std::vector<double> reversed_weights;  ///< of a rational curve
     std::optional<reference::ScaledCurve> scaled;
     double least_for = 0;  ///< the tolerance that `least` is for
     reference::LeastChords least{};

@@ -112,9 +112,7 @@ extern constexpr StudyKind grid_kind =
                                  .about = "errors of the points on a uniform grid",
                                  .own = grid_fields,
                                  .methods_example = "[\"forward_differencing\"]",
-                                 .inputs = {.forms = suite::polynomial_forms,
-                                            .forms_reason = "grids are of polynomial curves",
-                                            .double_only = true,
+                                 .inputs = {.double_only = true,
                                             .parameters = suite::Parameters::whole,
                                             .parameters_reason = "grids reach from 0 to 1"},
                                  .check = check_grid});

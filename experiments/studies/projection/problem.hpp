@@ -68,7 +68,11 @@ class ProjectionProblem {
       TrialColumn<Row>{"mean_t_error", column::statistic<tables::mean, &Errors::t_error>},
       TrialColumn<Row>{"p50_t_error", column::statistic<tables::median, &Errors::t_error>},
       TrialColumn<Row>{"max_t_error", column::statistic<tables::largest, &Errors::t_error>},
-      TrialColumn<Row>{"max_residual", column::count<&Errors::residual>},
+      TrialColumn<Row>{"max_residual",
+                       [](const Row& row) {
+                         return row.method.info->form == Form::rational ? tables::Field()
+                                                                        : tables::field(row.errors.residual);
+                       }},
       TrialColumn<Row>{"residual_bound",
                        [](const Row& row) {
                          const auto bound = row.method.residual_bound;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Studies of kind `projection`: points, placed in every way in sample::placements(), projected onto random curves in
-// Bernstein form, judged against the exact foot point. Writes projection.csv, and projection_unstable.csv for methods
+// Studies of kind `projection`: points, placed in every way in sample::placements(), projected onto random curves,
+// polynomial or rational, judged against the exact foot point. Writes projection.csv, and projection_unstable.csv for methods
 // that are not bit-stable.
 
 #include <algorithm>
@@ -28,7 +28,8 @@ double t_error(double t, const reference::ExactProjection& exact) {
 }
 
 CurveView<double> curve_of(const sample::ProjectionCase& placed) {
-  return {Form::bernstein, placed.dimension, placed.degree, placed.points};
+  return {placed.weights.empty() ? Form::bernstein : Form::rational, placed.dimension, placed.degree, placed.points,
+          placed.weights};
 }
 
 }  // namespace
@@ -66,12 +67,13 @@ void ProjectionProblem::judge(const Kernel& method, const Drawn& drawn, double /
   errors.error.add(error);
   errors.error_unit.add(error == 0 ? 0 : metric::to_24_bits(error / largest * 0x1p+52));
   errors.t_error.add(t_error(foot.t, drawn.exact));
+  errors.missed += error > missed_tolerance * largest ? 1 : 0;
+  if (!drawn.placed.weights.empty()) return;
   const double residual = reference::foot_residual(foot.t, drawn.exact);
   errors.residual.add(residual);
   if (method.residual_bound != nullptr && foot.converged &&
       residual > method.residual_bound(drawn.placed.degree, drawn.placed.dimension))
     errors.broken_promises.add(number);
-  errors.missed += error > missed_tolerance * largest ? 1 : 0;
 }
 
 bool ProjectionProblem::is_right(const Kernel& /*method*/, const Drawn& drawn, double /*tolerance*/,
@@ -80,14 +82,14 @@ bool ProjectionProblem::is_right(const Kernel& /*method*/, const Drawn& drawn, d
          missed_tolerance * sample::largest_coordinate(drawn.placed);
 }
 
-extern constexpr StudyKind projection_kind =
-    companion_kind<ProjectionProblem>({.id = "projection",
-                                       .about = "errors of foot points, and feet that are missed",
-                                       .own = {},
-                                       .methods_example = "[\"quintic_isolate\"]",
-                                       .inputs = {.forms = suite::bernstein_form,
-                                                  .forms_reason = "foot points are sought on polynomial Bezier curves",
-                                                  .double_only = true,
-                                                  .independent_points = true}});
+extern constexpr StudyKind projection_kind = companion_kind<ProjectionProblem>(
+    {.id = "projection",
+     .about = "errors of foot points, and feet that are missed",
+     .own = {},
+     .methods_example = "[\"quintic_isolate\"]",
+     .inputs = {.forms = suite::forms_with_control_points,
+                .forms_reason = "foot points are sought on curves with control points",
+                .double_only = true,
+                .independent_points = true}});
 
 }  // namespace bezierbench::studies

@@ -175,14 +175,16 @@ BB_API int bb_evaluate_curves_float(const char* method, const bb_batch* batch, c
 BB_API int bb_derivative(const char* method, const bb_curve* curve, int order, const double* t, size_t count,
                          double* out);
 
-/* The steps + 1 points at t = k / steps of a curve that is not rational; `steps` is a power of two up to 524288. */
+/* The steps + 1 points at t = k / steps; `steps` is a power of two up to 524288. BB_ERROR_NO_POINT where a rational curve
+ * has a pole in [0, 1]. */
 BB_API int bb_grid(const char* method, const bb_curve* curve, int steps, double* out);
 
 /* The curve as chords, none of which is farther than `tolerance` > 0 from its piece of the curve, as far as the method
  * promises. *ends becomes the number of their ends, one more than that of chords. Where this is at most `capacity`, the
  * parameters of the ends are written to `t` and their points, of `dimension` values each, to `points`; otherwise nothing
  * is, and both may be null for capacity 0. *complete becomes 0 where the method says that it did not keep the tolerance,
- * for example because it is finer than the roundings of coordinates, otherwise 1. */
+ * for example because it is finer than the roundings of coordinates, otherwise 1. BB_ERROR_NO_POINT where a rational
+ * curve has a pole in [0, 1]. */
 BB_API int bb_flatten(const char* method, const bb_curve* curve, double tolerance, double* t, double* points,
                       size_t capacity, size_t* ends, int* complete);
 
