@@ -494,6 +494,70 @@ TEST(C, PartsAndElevatedCurves) {
   EXPECT_EQ(bb_elevate(&power, 3, &half), BB_ERROR_FORM);
 }
 
+/// x_k = (k + 1) t^2 + k: five axes give what each of them gives alone.
+TEST(C, PointsAndPartsInFourAndFiveDimensions) {
+  constexpr std::array<double, 3> weights{1, 2, 1};
+  for (const int d : {4, 5})
+    for (const bool rational : {false, true}) {
+      const auto axes = static_cast<std::size_t>(d);
+      std::vector<double> points(3 * axes);
+      for (std::size_t k = 0; k < axes; ++k) {
+        points[k] = points[axes + k] = static_cast<double>(k);
+        points[2 * axes + k] = 2 * static_cast<double>(k) + 1;
+      }
+      const int form = rational ? BB_RATIONAL : BB_BERNSTEIN;
+      const bb_curve curve{form, d, 2, points.data(), rational ? weights.data() : nullptr};
+      const auto of_axis = [&](std::size_t k) { return std::array{points[k], points[axes + k], points[2 * axes + k]}; };
+      std::vector<double> out(2 * axes);
+      std::vector<double> exact(2 * axes);
+      ASSERT_EQ(bb_curve_evaluate("de_casteljau", &curve, parameters.data(), 2, out.data()), BB_OK);
+      ASSERT_EQ(bb_curve_exact(&curve, parameters.data(), 2, exact.data()), BB_OK);
+      std::vector<double> left(3 * axes);
+      std::vector<double> right(3 * axes);
+      std::vector<double> part(3 * axes);
+      std::vector<double> cubic(4 * axes);
+      std::array<double, 4> some_weights{};
+      const auto half = [&](std::vector<double>& of) {
+        return bb_half{of.data(), rational ? some_weights.data() : nullptr};
+      };
+      const auto first = half(left);
+      const auto second = half(right);
+      const auto middle = half(part);
+      const auto elevated = half(cubic);
+      ASSERT_EQ(bb_split("de_casteljau_split", &curve, 0.25, &first, &second), BB_OK);
+      ASSERT_EQ(bb_part(&curve, 0.25, 0.5, &middle), BB_OK);
+      ASSERT_EQ(bb_elevate(&curve, 3, &elevated), BB_OK);
+      for (std::size_t k = 0; k < axes; ++k) {
+        const auto alone_points = of_axis(k);
+        const bb_curve alone{form, 1, 2, alone_points.data(), curve.weights};
+        std::array<double, 4> one{};
+        std::array<double, 4> other{};
+        const bb_half one_half{one.data(), rational ? some_weights.data() : nullptr};
+        const bb_half other_half{other.data(), rational ? some_weights.data() : nullptr};
+        const auto expect = [&](const std::vector<double>& all, const std::array<double, 4>& expected) {
+          for (std::size_t i = 0; i * axes < all.size(); ++i)
+            EXPECT_EQ(all[i * axes + k], expected[i]) << d << " " << k;
+        };
+        ASSERT_EQ(bb_curve_evaluate("de_casteljau", &alone, parameters.data(), 2, one.data()), BB_OK);
+        expect(out, one);
+        ASSERT_EQ(bb_curve_exact(&alone, parameters.data(), 2, one.data()), BB_OK);
+        expect(exact, one);
+        ASSERT_EQ(bb_split("de_casteljau_split", &alone, 0.25, &one_half, &other_half), BB_OK);
+        expect(left, one);
+        expect(right, other);
+        ASSERT_EQ(bb_part(&alone, 0.25, 0.5, &one_half), BB_OK);
+        expect(part, one);
+        ASSERT_EQ(bb_elevate(&alone, 3, &one_half), BB_OK);
+        expect(cubic, one);
+      }
+    }
+  std::array<double, 12> points{};
+  const bb_curve six{BB_BERNSTEIN, 6, 1, points.data(), nullptr};
+  const bb_curve four{BB_BERNSTEIN, 4, 1, nullptr, nullptr};
+  EXPECT_EQ(bb_curve_evaluate("de_casteljau", &six, parameters.data(), 1, points.data()), BB_ERROR_DIMENSION);
+  EXPECT_EQ(bb_curve_evaluate("de_casteljau", &four, parameters.data(), 1, points.data()), BB_ERROR_NULL);
+}
+
 /// y = 1 - 4 t (1-t) touches 0 at t = 1/2; x = 2t.
 TEST(C, RootsHaveMultiplicities) {
   constexpr std::array touching{0.0, 1.0, 1.0, -1.0, 2.0, 1.0};
@@ -629,7 +693,7 @@ TEST(C, WhatIsWrongIsRefusedAndNothingIsWritten) {
   EXPECT_EQ(evaluate("", 1, 2, b, &t), BB_ERROR_METHOD);
   EXPECT_EQ(evaluate("horner", 1, 2, b, &t), BB_ERROR_FORM);
   EXPECT_EQ(evaluate("de_casteljau", 0, 2, b, &t), BB_ERROR_DIMENSION);
-  EXPECT_EQ(evaluate("de_casteljau", 4, 2, b, &t), BB_ERROR_DIMENSION);
+  EXPECT_EQ(evaluate("de_casteljau", 6, 2, b, &t), BB_ERROR_DIMENSION);
   EXPECT_EQ(evaluate("de_casteljau", 1, -1, b, &t), BB_ERROR_DEGREE);
   EXPECT_EQ(evaluate("de_casteljau", 1, 1024, b, &t), BB_ERROR_DEGREE);
   const std::vector<double> many(1024, 1.0);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bindings/c/curve.hpp"
+#include "bindings/c/more_axes.hpp"
 #include "reference/companion/exact_control_points.hpp"
 
 using namespace bezierbench;
@@ -36,6 +36,14 @@ void write(const std::optional<reference::RoundedControlPoints>& found, const bb
 
 int bb_part(const bb_curve* curve, double from, double to, const bb_half* part) {
   return c::guarded([&] {
+    if (c::has_more_axes(curve)) {
+      c::require_pointers(part);
+      return c::by_axes(*curve, static_cast<std::size_t>(curve->degree) + 1, part->points,
+                        [&](const bb_curve& some, double* of_some) {
+                          const bb_half its_part{of_some, part->weights};
+                          return bb_part(&some, from, to, &its_part);
+                        });
+    }
     const auto view = with_control_points(curve);
     c::require(std::isfinite(from) && std::isfinite(to), BB_ERROR_NOT_FINITE);
     require_place(part, view);
@@ -45,6 +53,15 @@ int bb_part(const bb_curve* curve, double from, double to, const bb_half* part) 
 
 int bb_elevate(const bb_curve* curve, int degree, const bb_half* elevated) {
   return c::guarded([&] {
+    if (c::has_more_axes(curve)) {
+      c::require_pointers(elevated);
+      c::require(degree >= curve->degree && degree <= max_degree, BB_ERROR_DEGREE);
+      return c::by_axes(*curve, static_cast<std::size_t>(degree) + 1, elevated->points,
+                        [&](const bb_curve& some, double* of_some) {
+                          const bb_half its_points{of_some, elevated->weights};
+                          return bb_elevate(&some, degree, &its_points);
+                        });
+    }
     const auto view = with_control_points(curve);
     c::require(degree >= view.degree && degree <= max_degree, BB_ERROR_DEGREE);
     require_place(elevated, view);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bindings/c/chosen.hpp"
+#include "bindings/c/more_axes.hpp"
 #include "core/bounds/kernel.hpp"
 #include "core/derivative/kernel.hpp"
 #include "core/grid/grid.hpp"
@@ -43,6 +44,22 @@ int bb_grid(const char* method, const bb_curve* curve, int steps, double* out) {
 
 int bb_split(const char* method, const bb_curve* curve, double t, const bb_half* left, const bb_half* right) {
   return c::guarded([&] {
+    if (c::has_more_axes(curve)) {
+      c::require_pointers(left, right);
+      const auto rows = static_cast<std::size_t>(curve->degree) + 1;
+      std::vector<double> both(2 * rows * static_cast<std::size_t>(curve->dimension));
+      c::by_axes(*curve, 2 * rows, both.data(), [&](const bb_curve& part, double* of_part) {
+        const std::size_t half = rows * static_cast<std::size_t>(part.dimension);
+        const bb_half first{of_part, left->weights};
+        const bb_half second{of_part + half, right->weights};
+        return bb_split(method, &part, t, &first, &second);
+      });
+      c::require_pointers(left->points, right->points);
+      const auto middle = both.begin() + static_cast<std::ptrdiff_t>(both.size() / 2);
+      std::copy(both.begin(), middle, left->points);
+      std::copy(middle, both.end(), right->points);
+      return;
+    }
     const auto view = c::curve_of(curve);
     const auto& kernel = c::chosen(split_kernels(view.dimension), method, view);
     (void)c::parameters(*kernel.info, &t, 1);

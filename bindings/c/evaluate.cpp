@@ -4,6 +4,7 @@
 
 #include "bindings/c/chosen.hpp"
 #include "bindings/c/evaluation.hpp"
+#include "bindings/c/more_axes.hpp"
 #include "core/evaluate/kernel/prepared_state.hpp"
 
 using namespace bezierbench;
@@ -45,7 +46,8 @@ struct bb_prepared {
 
 int bb_evaluate(const char* method, int dimension, int degree, const double* points, const double* t, std::size_t count,
                 double* out) {
-  return c::guarded([&] { evaluate(method, c::bezier_curve(dimension, degree, points), t, count, out); });
+  const bb_curve curve{BB_BERNSTEIN, dimension, degree, points, nullptr};
+  return bb_curve_evaluate(method, &curve, t, count, out);
 }
 
 int bb_evaluate_float(const char* method, int dimension, int degree, const float* points, const float* t,
@@ -54,7 +56,13 @@ int bb_evaluate_float(const char* method, int dimension, int degree, const float
 }
 
 int bb_curve_evaluate(const char* method, const bb_curve* curve, const double* t, std::size_t count, double* out) {
-  return c::guarded([&] { evaluate(method, c::curve_of(curve), t, count, out); });
+  return c::guarded([&] {
+    if (c::has_more_axes(curve))
+      return c::by_axes(*curve, count, out, [&](const bb_curve& part, double* of_part) {
+        return bb_curve_evaluate(method, &part, t, count, of_part);
+      });
+    evaluate(method, c::curve_of(curve), t, count, out);
+  });
 }
 
 int bb_prepare(const char* method, const bb_curve* curve, bb_prepared** result) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bindings/c/curve.hpp"
+#include "bindings/c/more_axes.hpp"
 #include "reference/error/coordinate_error.hpp"
 #include "reference/exact_curve.hpp"
 
@@ -53,9 +53,8 @@ std::string text_of(const reference::Rational& value) {
 }  // namespace
 
 int bb_exact(int dimension, int degree, const double* points, const double* t, std::size_t count, double* out) {
-  return c::guarded([&] {
-    write_points(c::bezier_curve(dimension, degree, points), c::finite_values(t, count), reference::binary64, out);
-  });
+  const bb_curve curve{BB_BERNSTEIN, dimension, degree, points, nullptr};
+  return bb_curve_exact(&curve, t, count, out);
 }
 
 int bb_exact_float(int dimension, int degree, const float* points, const float* t, std::size_t count, float* out) {
@@ -67,7 +66,13 @@ int bb_exact_float(int dimension, int degree, const float* points, const float* 
 }
 
 int bb_curve_exact(const bb_curve* curve, const double* t, std::size_t count, double* out) {
-  return c::guarded([&] { write_points(c::curve_of(curve), c::finite_values(t, count), reference::binary64, out); });
+  return c::guarded([&] {
+    if (c::has_more_axes(curve))
+      return c::by_axes(*curve, count, out, [&](const bb_curve& part, double* of_part) {
+        return bb_curve_exact(&part, t, count, of_part);
+      });
+    write_points(c::curve_of(curve), c::finite_values(t, count), reference::binary64, out);
+  });
 }
 
 int bb_curve_exact_text(const bb_curve* curve, double t, int axis, char* text, std::size_t size,

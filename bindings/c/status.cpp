@@ -67,7 +67,7 @@ const char* bb_strerror(int status) {
     case BB_ERROR_NULL: return "a pointer is null";
     case BB_ERROR_METHOD: return "no method for this problem has this id; see bb_method_at()";
     case BB_ERROR_FORM: return "the method or function does not take curves in this form";
-    case BB_ERROR_DIMENSION: return "the dimension is not 1, 2 or 3";
+    case BB_ERROR_DIMENSION: return "the function does not take this dimension";
     case BB_ERROR_DEGREE: return "the degree is out of range, or not one that the method takes";
     case BB_ERROR_NOT_FINITE: return "a coordinate, weight or parameter is not finite";
     case BB_ERROR_PARAMETER: return "a parameter is outside of the domain of the method or function";

@@ -387,6 +387,15 @@ class Problems(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "must be from 2, that of the curve, to 1023"):
                 bezierbench.elevate(arch, degree)
 
+    def test_points_and_parts_in_five_dimensions(self):
+        line = np.array([[0, 1, 2, 3, 4], [1, 3, 5, 7, 9]], float)
+        middle = line.mean(axis=0)
+        np.testing.assert_array_equal(bezierbench.evaluate(line, [0.5, 1]), [middle, line[1]])
+        np.testing.assert_array_equal(bezierbench.exact(line, 0.5), middle)
+        np.testing.assert_array_equal(bezierbench.split(line, 0.5).right, [middle, line[1]])
+        np.testing.assert_array_equal(bezierbench.part(line, 0.5, 0).points, [middle, line[0]])
+        np.testing.assert_array_equal(bezierbench.elevate(line, 2).points, [line[0], middle, line[1]])
+
     def test_roots_have_multiplicities(self):
         self.assertEqual(bezierbench.roots([1, -1, 1]), [(0.5, 2)])
         self.assertEqual(bezierbench.roots([[0, 0], [1, 2], [2, 0]], 1, axis=1), [(0.5, 2)])

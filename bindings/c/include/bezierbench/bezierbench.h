@@ -4,8 +4,9 @@
  *
  * Every function that returns int returns BB_OK or another bb_status, and writes its results only where that is BB_OK.
  * Points are written coordinate by coordinate: x0 y0 x1 y1 ... in the plane; results likewise, in the order of t. A
- * dimension is 1, 2 or 3, a degree 0 to 1023; coordinates, weights and parameters are finite. Results must not overlap
- * what is read. An evaluation takes at most 0.7 MiB of the thread's stack.
+ * dimension is 1, 2 or 3; in double, bb_evaluate, bb_exact, bb_curve_evaluate, bb_curve_exact, bb_split, bb_part and
+ * bb_elevate also take 4 and 5. A degree is 0 to 1023; coordinates, weights and parameters are finite. Results must not
+ * overlap what is read. An evaluation takes at most 0.7 MiB of the thread's stack.
  *
  * All functions may be called by several threads at once, also with one bb_prepared, bb_fitted or bb_curves, as long as
  * none frees it. Methods and reference compute in IEEE 754 arithmetic to nearest: in another rounding mode, or where subnormal
@@ -35,7 +36,7 @@ typedef enum bb_status {
   BB_ERROR_NULL = 1,         /* a pointer is null that must not be */
   BB_ERROR_METHOD = 2,       /* no method for this problem has this id */
   BB_ERROR_FORM = 3,         /* no such form, or not one that the method or the function takes */
-  BB_ERROR_DIMENSION = 4,    /* not 1, 2 or 3 */
+  BB_ERROR_DIMENSION = 4,    /* not one that the function takes */
   BB_ERROR_DEGREE = 5,       /* below 0, above 1023, or not one that the method takes */
   BB_ERROR_NOT_FINITE = 6,   /* a coordinate, weight or parameter is NaN or infinite */
   BB_ERROR_PARAMETER = 7,    /* a parameter is outside of the domain of the method or the function */
