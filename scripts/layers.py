@@ -13,7 +13,7 @@ from pathlib import Path
 # The longest folder that contains a file decides.
 TABLE = {
     "core": ([], ["Eigen", "Highway"]),
-    "reference": (["core/curve_view.hpp", "core/api/control_points.hpp", "core/error_free.hpp"], ["Boost.Multiprecision", "GMP/MPFR", "Highway"]),
+    "reference": (["core/curve_view.hpp", "core/bspline_curve.hpp", "core/api/control_points.hpp", "core/error_free.hpp"], ["Boost.Multiprecision", "GMP/MPFR", "Highway"]),
     "reference/error": (
         ["reference", "core/bound", "core/vector/lane_choice.hpp", "core/powers.hpp", "core/curve_view.hpp"],
         [],

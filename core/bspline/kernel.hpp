@@ -5,19 +5,10 @@
 #include <span>
 
 #include "core/bound/bspline_bound.hpp"
+#include "core/bspline_curve.hpp"
 #include "core/method.hpp"
 
 namespace bezierbench {
-
-/// A curve of degree m >= 1 in one knot span, as core/bspline/bspline.hpp describes it. Knots, control points and
-/// weights stay in the caller's memory.
-struct BsplineSpanView {
-  int dimension = 2;
-  int degree = 1;
-  std::span<const double> knots;           ///< 2m
-  std::span<const double> control_points;  ///< (m + 1) * dimension coordinates, point by point
-  std::span<const double> weights = {};    ///< m + 1 of a rational curve, else none
-};
 
 /// One method, for curves of one dimension.
 struct BsplineKernel {

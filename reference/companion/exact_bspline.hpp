@@ -31,6 +31,9 @@ class ExactBsplineWeights {
   /// Those of a rational curve with these m + 1 finite weights: w_i N_i / sum w_j N_j. The sum must not be zero.
   [[nodiscard]] ExactBsplineWeights with(std::span<const double> weights) const;
 
+  /// m + 1 of them.
+  [[nodiscard]] std::span<const mpq_class> values() const { return weights_; }
+
   /// The sum over m + 1 finite points, given point by point, of at most 3 coordinates. For arguments within the span no
   /// weight is negative, unless one in `with` is; magnitudes in place of coordinates then give the p~ of this value.
   [[nodiscard]] ExactPoint sum(int dimension, std::span<const double> control_points) const;

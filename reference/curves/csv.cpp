@@ -291,7 +291,7 @@ auto read_records(std::string_view text, const std::string& name, const auto& re
   }
 }
 
-PointList read_points(CsvRecords& records) {
+PointList read_points(CsvRecords& records, bool weights) {
   const auto header = records.header();
   PointList points;
   std::vector<std::size_t> columns;
@@ -300,12 +300,18 @@ PointList read_points(CsvRecords& records) {
     if (found == header.end()) break;
     columns.push_back(static_cast<std::size_t>(found - header.begin()));
   }
-  if (columns.empty() || columns.size() != header.size()) refuse_header(header, records, "x, or x,y, or x,y,z");
+  const auto weight = weights ? std::ranges::find(header, "w") : header.end();
+  if (columns.empty() || columns.size() + (weight == header.end() ? 0 : 1) != header.size())
+    refuse_header(header, records,
+                  weights ? "x, or x,y, or x,y,z, and w for the weights of a rational curve" : "x, or x,y, or x,y,z");
   points.dimension = static_cast<int>(columns.size());
   while (!records.done()) {
     records.next_row();
     for (const auto column : columns)
-      points.coordinates.push_back(number_at(records, points.count() + 1, column, header[column]));
+      points.coordinates.push_back(number_at(records, points.lines.size() + 1, column, header[column]));
+    if (weight != header.end())
+      points.weights.push_back(
+          number_at(records, points.lines.size() + 1, static_cast<std::size_t>(weight - header.begin()), *weight));
     points.lines.push_back(records.line());
   }
   return points;
@@ -321,8 +327,8 @@ bool PointList::ends_where_it_starts() const {
   return std::equal(coordinates.begin(), coordinates.begin() + dimension, coordinates.end() - dimension);
 }
 
-PointList read_points_csv(std::string_view text, const std::string& name) {
-  return read_records(text, name, read_points);
+PointList read_points_csv(std::string_view text, const std::string& name, bool weights) {
+  return read_records(text, name, [weights](CsvRecords& records) { return read_points(records, weights); });
 }
 
 std::string to_csv(const CurveSet& set, std::string (*number)(double)) {

@@ -33,13 +33,15 @@ std::string to_csv(const CurveSet& set, std::string (*number)(double) = number::
 struct PointList {
   int dimension = 1;
   std::vector<double> coordinates;  ///< point by point
+  std::vector<double> weights;      ///< one for each point of a file with the column `w`, else none
   std::vector<std::size_t> lines;   ///< of the file, one for each point
 
   [[nodiscard]] std::size_t count() const { return coordinates.size() / static_cast<std::size_t>(dimension); }
   [[nodiscard]] bool ends_where_it_starts() const;
 };
 
-/// Reads points. Throws Unreadable for anything but finite numbers under a valid header.
-PointList read_points_csv(std::string_view text, const std::string& name);
+/// Reads points, with a column `w` where `weights` allows it. Throws Unreadable for anything but finite numbers under a
+/// valid header.
+PointList read_points_csv(std::string_view text, const std::string& name, bool weights = false);
 
 }  // namespace bezierbench::curves

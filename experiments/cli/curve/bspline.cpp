@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 // `curve bspline`: the points of one B-spline curve, with weights or without, by any method, and the Bernstein form of the
-// knot span by those that make it, against the exact ones.
+// knot span by those that make it, against the exact ones; or a B-spline curve made of it: with knots inserted or
+// removed, in a higher degree, a part, a derivative.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "core/bspline/kernel.hpp"
+#include "experiments/bundle/atomic_file.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/metric/derivative_scale.hpp"
+#include "reference/companion/bspline_control_points.hpp"
 #include "reference/companion/exact_bspline.hpp"
 #include "reference/number/number.hpp"
 
@@ -22,16 +25,22 @@ struct BsplineOptions {
   std::vector<std::string> t;
   std::vector<std::string> methods;
   bool control_points = false;
-};
 
-struct BsplineCurve {
-  PointList points;
-  std::vector<double> knots;    ///< degree + 1 more than points, ascending
-  std::vector<double> weights;  ///< one for each point, positive; none of a polynomial curve
+  // Another curve of it
+  std::vector<std::string> insert;
+  std::vector<std::string> remove;
+  std::optional<std::string> tolerance;  ///< with `remove`
+  int elevate_to = 0;                    ///< 0 where it is not given, as below
+  int derivative = 0;
+  std::optional<std::string> from;
+  std::optional<std::string> to;
+  std::optional<std::string> knots_out;
 
-  [[nodiscard]] std::size_t degree() const { return knots.size() - points.count() - 1; }
-  [[nodiscard]] double begin() const { return knots[degree()]; }
-  [[nodiscard]] double end() const { return knots[points.count()]; }
+  /// How many other curves are requested.
+  [[nodiscard]] int curves() const {
+    return (insert.empty() ? 0 : 1) + (remove.empty() ? 0 : 1) + (elevate_to > 0 ? 1 : 0) + (derivative > 0 ? 1 : 0) +
+           (from || to ? 1 : 0);
+  }
 };
 
 /// The numbers of an option: separated by commas or, in a file that it names, by commas, blanks or line ends.
@@ -51,7 +60,7 @@ std::vector<double> numbers_of(const std::string& option, const std::string& tex
 
 /// Says on standard error which knots stand more than degree + 1 times.
 void say_useless_knots(const BsplineCurve& curve) {
-  const auto most = static_cast<std::ptrdiff_t>(curve.degree()) + 1;
+  const auto most = static_cast<std::ptrdiff_t>(curve.degree) + 1;
   for (auto first = curve.knots.begin(); first != curve.knots.end();) {
     const auto next = std::upper_bound(first, curve.knots.end(), *first);
     if (next - first > most)
@@ -63,8 +72,7 @@ void say_useless_knots(const BsplineCurve& curve) {
 }
 
 /// Makes a closed curve of this degree of points and the knots of one period: its first points and spans follow again.
-void close(BsplineCurve& curve, int degree, const std::string& file) {
-  const std::size_t points = curve.points.count();
+void close(BsplineCurve& curve, int degree, std::size_t points, const std::string& file) {
   const auto n = static_cast<std::size_t>(degree);
   if (curve.knots.size() != points + 1 || n > points)
     throw Failure(Exit::usage,
@@ -80,29 +88,37 @@ void close(BsplineCurve& curve, int degree, const std::string& file) {
   const auto repeat = [n](std::vector<double>& numbers, std::size_t each) {
     for (std::size_t k = 0; k < n * each; ++k) numbers.push_back(numbers[k]);
   };
-  repeat(curve.points.coordinates, static_cast<std::size_t>(curve.points.dimension));
+  repeat(curve.control_points, static_cast<std::size_t>(curve.dimension));
   if (!curve.weights.empty()) repeat(curve.weights, 1);
 }
 
 BsplineCurve curve_of(const BsplineOptions& options) {
-  BsplineCurve curve{read_points(options.points), numbers_of("--knots", options.knots), {}};
-  std::size_t points = curve.points.count();
+  auto read = read_points(options.points, 2, true);
+  std::size_t points = read.count();
+  BsplineCurve curve{read.dimension, 1, numbers_of("--knots", options.knots), std::move(read.coordinates),
+                     std::move(read.weights)};
   if (options.weights) {
+    if (!curve.weights.empty())
+      throw Failure(Exit::usage, "--weights: {} has a column w; leave one of them out", options.points);
     curve.weights = numbers_of("--weights", *options.weights);
     if (curve.weights.size() != points)
       throw Failure(Exit::usage, "--weights: {} for the {} points in {}; write one for each", curve.weights.size(),
                     points, options.points);
-    const auto least = *std::ranges::min_element(curve.weights);
-    if (!(least > 0))
-      throw Failure(Exit::usage, "--weights: {} is not above 0, as every weight must be", number::decimal(least));
   }
-  if (options.closed > 0) close(curve, options.closed, options.points);
-  points = curve.points.count();
-  if (curve.knots.size() < points + 2 || curve.degree() >= points)
+  for (const double weight : curve.weights)
+    if (!(weight > 0))
+      throw Failure(Exit::usage, "{}: {} is not above 0, as every weight must be",
+                    options.weights ? "--weights" : options.points + ", column w", number::decimal(weight));
+  if (options.closed > 0) {
+    close(curve, options.closed, points, options.points);
+    points += static_cast<std::size_t>(options.closed);
+  }
+  if (curve.knots.size() < points + 2 || curve.knots.size() > 2 * points)
     throw Failure(Exit::usage,
                   "--knots: {} knots for the {} points in {}; a curve of degree n has n + 1 knots more than points, so "
                   "write {} to {}",
                   curve.knots.size(), points, options.points, points + 2, 2 * points);
+  curve.degree = static_cast<int>(curve.knots.size() - points) - 1;
   const auto descent = std::ranges::is_sorted_until(curve.knots);
   if (descent != curve.knots.end())
     throw Failure(Exit::usage, "--knots: {} follows on {}; knots must not descend", number::decimal(*descent),
@@ -124,29 +140,11 @@ struct BsplineTarget {
   std::vector<reference::ExactPoint> weights{};  ///< of the control points of its Bernstein form
 };
 
-/// The number of the first knot of the span that t lies in: the last one that is not behind t, unless the curve ends
-/// there.
-std::size_t span_at(const BsplineCurve& curve, double t) {
-  const auto first = curve.knots.begin() + static_cast<std::ptrdiff_t>(curve.degree());
-  const auto last = curve.knots.begin() + static_cast<std::ptrdiff_t>(curve.points.count());
-  const auto next = t < *last ? std::upper_bound(first, last, t) : std::lower_bound(first, last, *last);
-  return static_cast<std::size_t>(next - curve.knots.begin()) - 1;
-}
-
-/// The span that begins with knot number `first`.
-BsplineSpanView span_view_at(const BsplineCurve& curve, std::size_t first) {
-  const std::size_t n = curve.degree();
-  const auto d = static_cast<std::size_t>(curve.points.dimension);
-  return {curve.points.dimension, static_cast<int>(n), std::span(curve.knots).subspan(first - n + 1, 2 * n),
-          std::span(curve.points.coordinates).subspan((first - n) * d, (n + 1) * d),
-          std::span(curve.weights).subspan(curve.weights.empty() ? 0 : first - n, curve.weights.empty() ? 0 : n + 1)};
-}
-
 BsplineTarget target_of(const BsplineCurve& curve, double t) {
   if (t < curve.begin() || t > curve.end())
     throw Failure(Exit::usage, "--t {}: the curve is defined from {} to {}", number::decimal(t),
                   number::decimal(curve.begin()), number::decimal(curve.end()));
-  BsplineTarget target{t, span_view_at(curve, span_at(curve, t)), {}, {}, {}};
+  BsplineTarget target{t, curve.span(curve.span_at(t)), {}, {}, {}};
   const auto knots = target.span.knots;
   const auto control_points = target.span.control_points;
   std::vector<double> magnitudes;
@@ -154,8 +152,8 @@ BsplineTarget target_of(const BsplineCurve& curve, double t) {
   const auto add = [&](const reference::ExactBsplineWeights& basis) {
     const auto& w = target.span.weights;
     const auto rational = w.empty() ? basis : basis.with(w);
-    target.truth.push_back(rational.sum(curve.points.dimension, control_points));
-    target.p_tilde.push_back(rational.sum(curve.points.dimension, magnitudes));
+    target.truth.push_back(rational.sum(curve.dimension, control_points));
+    target.p_tilde.push_back(rational.sum(curve.dimension, magnitudes));
     if (w.empty()) return;
     const auto sum = basis.sum(1, w);
     target.weight_sums.push_back(reference::round_to(reference::binary64, sum.coordinate(0)));
@@ -224,9 +222,9 @@ curves::CurveSet spans_of(const BsplineCurve& curve, std::span<const BsplineKern
     throw Failure(Exit::usage, "--control-points: --method {} does not make them; leave it out",
                   methods.front()->info->id);
   curves::CurveSet set;
-  for (std::size_t k = curve.degree(); k < curve.points.count(); ++k) {
+  for (auto k = static_cast<std::size_t>(curve.degree); k < curve.points(); ++k) {
     if (curve.knots[k] == curve.knots[k + 1]) continue;
-    const auto span = span_view_at(curve, k);
+    const auto span = curve.span(k);
     const auto d = static_cast<std::size_t>(span.dimension);
     std::vector<double> values(static_cast<std::size_t>(numbers_solved(**maker, span)));
     (*maker)->solve(span, curve.knots[k], values.data());
@@ -240,11 +238,130 @@ curves::CurveSet spans_of(const BsplineCurve& curve, std::span<const BsplineKern
   return set;
 }
 
+/// The knots that an option names, in the domain of the curve.
+std::vector<double> knots_within(const std::string& option, const std::vector<std::string>& texts,
+                                 const BsplineCurve& curve) {
+  const auto knots = finite_options(option, texts);
+  for (const double u : knots)
+    if (u < curve.begin() || u > curve.end())
+      throw Failure(Exit::usage, "{} {}: the curve is defined from {} to {}; write a number between", option,
+                    number::decimal(u), number::decimal(curve.begin()), number::decimal(curve.end()));
+  return knots;
+}
+
+using MadeCurve = std::optional<BsplineCurve>;
+
+MadeCurve with_knots_inserted(const BsplineCurve& curve, const BsplineOptions& options) {
+  const auto knots = knots_within("--insert", options.insert, curve);
+  for (const double u : knots) {
+    const auto most = curve.degree + (u == curve.begin() || u == curve.end() ? 1 : 0);
+    const auto count = std::ranges::count(curve.knots, u) + std::ranges::count(knots, u);
+    if (count > most)
+      throw Failure(Exit::usage, "--insert {}: it would stand {} times; write it so often that it stands {} times",
+                    number::decimal(u), count, most);
+  }
+  return reference::with_knots_inserted(curve, knots);
+}
+
+MadeCurve with_knots_removed(const BsplineCurve& curve, const BsplineOptions& options) {
+  const auto knots = knots_within("--remove", options.remove, curve);
+  for (const double u : knots)
+    if (u == curve.begin() || u == curve.end() || std::ranges::count(curve.knots, u) < std::ranges::count(knots, u))
+      throw Failure(Exit::usage,
+                    "--remove {}: is not so often a knot inside of the curve; see --knots for those that are",
+                    number::decimal(u));
+  const double tolerance = options.tolerance ? finite_option("--tolerance", *options.tolerance) : 0;
+  auto removed = reference::with_knots_removed(curve, knots);
+  if (!removed) return std::nullopt;
+  const auto deviation = number::decimal(removed->deviation);
+  if (removed->deviation > tolerance)
+    throw Failure(Exit::finding, "--remove: a point of the curve might move by {}; write --tolerance {} to allow it",
+                  deviation, deviation);
+  fmt::print(stderr, "bezierbench: --remove: no point of the curve moves farther than {}\n", deviation);
+  return removed->curve;
+}
+
+MadeCurve part_of(const BsplineCurve& curve, const BsplineOptions& options) {
+  const auto bound = [&](const std::string& option, const std::optional<std::string>& text, double otherwise) {
+    return text ? knots_within(option, {*text}, curve).front() : otherwise;
+  };
+  const double from = bound("--from", options.from, curve.begin());
+  const double to = bound("--to", options.to, curve.end());
+  if (!(from < to))
+    throw Failure(Exit::usage, "--from {}: the part ends at {}; write --from below --to", number::decimal(from),
+                  number::decimal(to));
+  return reference::part_of_bspline(curve, from, to);
+}
+
+MadeCurve derivative_of(const BsplineCurve& curve, int order) {
+  if (!curve.weights.empty())
+    throw Failure(Exit::usage,
+                  "--derivative: that of a rational curve is not one of its degree; write --control-points, and ask "
+                  "`curve derivative` for values");
+  if (order >= curve.degree)
+    throw Failure(Exit::usage, "--derivative {}: the curve has degree {}; write a lower order", order, curve.degree);
+  return reference::derivative_of_bspline(curve, order);
+}
+
+MadeCurve elevated(const BsplineCurve& curve, int degree) {
+  if (degree < curve.degree)
+    throw Failure(Exit::usage, "--elevate-to {}: the curve has degree {}; write that or a higher one", degree,
+                  curve.degree);
+  return reference::elevated_bspline(curve, degree);
+}
+
+/// Prints the control points of the curve that the options request, and writes its knots.
+void make_curve(const BsplineCurve& curve, const BsplineOptions& options) {
+  if (options.curves() > 1 || !options.t.empty() || options.control_points || !options.methods.empty())
+    throw Failure(
+        Exit::usage,
+        "--insert, --remove, --elevate-to, --derivative and --from with --to each print another curve, without "
+        "--t, --method and --control-points; write one of them, and read its result again");
+  if (!options.knots_out)
+    throw Failure(Exit::usage,
+                  "--knots-out is required: the file for the knots of the curve that is printed; give one");
+  const auto made = !options.insert.empty()   ? with_knots_inserted(curve, options)
+                    : !options.remove.empty() ? with_knots_removed(curve, options)
+                    : options.elevate_to > 0  ? elevated(curve, options.elevate_to)
+                    : options.derivative > 0  ? derivative_of(curve, options.derivative)
+                                              : part_of(curve, options);
+  if (!made)
+    throw Failure(Exit::usage, "{}: a control point would have a weight that is not above 0; choose other knots",
+                  options.points);
+  const auto is_finite = [](double x) { return std::isfinite(x); };
+  if (!std::ranges::all_of(made->control_points, is_finite) || !std::ranges::all_of(made->weights, is_finite))
+    throw Failure(Exit::input_output, "{}: a control point exceeds the largest double; scale the coordinates down",
+                  options.points);
+  std::vector<std::string> header;
+  for (int axis = 0; axis < made->dimension; ++axis) header.push_back(axis_name(axis));
+  if (!made->weights.empty()) header.emplace_back("w");
+  bundle::CsvTable table(header);
+  const auto d = static_cast<std::size_t>(made->dimension);
+  for (std::size_t i = 0; i < made->points(); ++i) {
+    std::vector<std::string> row;
+    for (std::size_t axis = 0; axis < d; ++axis) row.push_back(number::decimal(made->control_points[i * d + axis]));
+    if (!made->weights.empty()) row.push_back(number::decimal(made->weights[i]));
+    table.add_row(std::move(row));
+  }
+  std::string knots;
+  for (const double knot : made->knots) knots += number::decimal(knot) + "\n";
+  bundle::write_file(*options.knots_out, knots);
+  fmt::print("{}", table.text());
+}
+
 void run_bspline(const BsplineOptions& options) {
   const auto curve = curve_of(options);
+  if (options.curves() > 0) {
+    make_curve(curve, options);
+    return;
+  }
+  if (options.tolerance || options.knots_out)
+    throw Failure(
+        Exit::usage,
+        "--tolerance goes with --remove, and --knots-out with an option that prints another curve; leave it out");
   const auto form = curve.weights.empty() ? Form::bernstein : Form::rational;
-  const CurveFile of_degree{{}, form, 1, std::vector<double>(curve.degree() + 1), {}};
-  const auto methods = chosen(bspline_kernels(curve.points.dimension), options.methods, of_degree, Problem::bspline);
+  const CurveFile of_degree{{}, form, 1, std::vector<double>(static_cast<std::size_t>(curve.degree) + 1), {}};
+  const auto methods = chosen(bspline_kernels(curve.dimension), options.methods, of_degree, Problem::bspline);
   if (options.control_points) {
     fmt::print("{}", curves::to_csv(spans_of(curve, methods), number::decimal));
     return;
@@ -260,7 +377,9 @@ void run_bspline(const BsplineOptions& options) {
 
 void add_bspline(Command command) {
   auto options = std::make_shared<BsplineOptions>();
-  command.option("--points", options->points, "control points (CSV)").required().takes(file_value);
+  command.option("--points", options->points, "control points (CSV), and in a column w their weights")
+      .required()
+      .takes(file_value);
   command
       .option("--knots", options->knots,
               "all knots, separated by commas, or a file of them; degree + 1 more than points")
@@ -275,6 +394,24 @@ void add_bspline(Command command) {
   command.option("--t", options->t, "parameter; may be repeated").takes("T");
   command.flag("--control-points", options->control_points,
                "print the spans in Bernstein form as a set of curves, by the first method that makes it");
+  command.option("--insert", options->insert, "print the curve with a knot inserted; may be repeated")
+      .one_each_time()
+      .takes("U");
+  command
+      .option("--remove", options->remove,
+              "print the curve without a knot, where no point moves farther than the tolerance; may be repeated")
+      .one_each_time()
+      .takes("U");
+  command.option("--tolerance", options->tolerance, "with --remove; 0 where it is left out: the curve stays the same")
+      .takes("DISTANCE");
+  command.option("--elevate-to", options->elevate_to, "print the curve in this degree").within(1, max_degree);
+  command.option("--derivative", options->derivative, "print the derivative of this order, of a curve without weights")
+      .within(1);
+  command.option("--from", options->from, "print the part from this parameter, else from where the curve begins")
+      .takes("T");
+  command.option("--to", options->to, "print the part to this parameter, else to where the curve ends").takes("T");
+  command.option("--knots-out", options->knots_out, "file for the knots of the curve that is printed; --knots reads it")
+      .takes(file_value);
   add_method_option(command, Problem::bspline, options->methods);
   command.action([options] { run_bspline(*options); });
 }
@@ -282,6 +419,6 @@ void add_bspline(Command command) {
 }  // namespace
 
 extern constexpr CurveCommand curve_bspline{
-    "bspline", "evaluate a B-spline curve, and convert a knot span to Bernstein form", add_bspline};
+    "bspline", "evaluate a B-spline curve; insert and remove knots, elevate, differentiate and cut it", add_bspline};
 
 }  // namespace bezierbench::cli

@@ -123,9 +123,9 @@ std::string curves_csv(std::span<const CurveFile> curves) {
   return table.text();
 }
 
-PointList read_points(const std::string& file, std::size_t least) {
+PointList read_points(const std::string& file, std::size_t least, bool weights) {
   const auto contents = contents_of(file);
-  auto points = read_or_fail([&] { return curves::read_points_csv(contents, file); });
+  auto points = read_or_fail([&] { return curves::read_points_csv(contents, file, weights); });
   if (points.count() < least)
     throw Failure(Exit::input_output, "{}: {} point{}; write {} or more, one per row", file, points.count(),
                   points.count() == 1 ? "" : "s", least);

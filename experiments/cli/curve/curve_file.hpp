@@ -53,8 +53,9 @@ std::vector<CurveFile> path_curves(const std::string& data);
 /// `index` if there are several.
 std::string curves_csv(std::span<const CurveFile> curves);
 
-/// Reads at least so many points. Throws Failure(input_output) for fewer points, and for a file that cannot be read.
-PointList read_points(const std::string& file, std::size_t least = 2);
+/// Reads at least so many points, with a column `w` where `weights` allows it. Throws Failure(input_output) for fewer
+/// points, and for a file that cannot be read.
+PointList read_points(const std::string& file, std::size_t least = 2, bool weights = false);
 
 /// Cubic Bezier segments as rows segment,index,x[,y[,z]] below a header, one control point per row. `segments` has four
 /// control points per segment, point by point. Segments and their points are numbered from 0.
