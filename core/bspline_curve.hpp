@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A whole B-spline curve or NURBS for the harness and the reference, and a view of the part of it that decides one of its
-// knot spans.
+// A whole B-spline curve or NURBS for the harness and the reference, and a view of what decides one of its knot spans.
 #pragma once
 
 #include <algorithm>

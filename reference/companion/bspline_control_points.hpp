@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The control points and knots of a whole B-spline curve or NURBS with knots inserted or removed, in a higher degree, of
-// a part of it and of its derivative: the true ones, each coordinate and weight rounded once.
+// The control points and knots of a whole B-spline curve or NURBS with knots inserted or removed, in a higher degree,
+// of a part of it and of its derivative: the true ones, each coordinate and weight rounded once.
 //
 // Control point i of a curve of degree m over knots v is the blossom f(v_(i+1), ..., v_(i+m)) of any of its polynomial
-// pieces on a span between v_i and v_(i+m+1) [Ramshaw 1989]. The pieces are those of the given curve, whose spans contain
-// those of v. In a degree one higher the blossom is the mean of f over the arguments without one of them. Of a rational
-// curve the numerators w_i d_i and the weights w_i are such curves.
+// pieces on a span between v_i and v_(i+m+1), [Ramshaw 1987]. The pieces are those of the given curve, whose spans
+// contain those of v. In a degree one higher the blossom is the mean of f over the arguments without one of them. Of a
+// rational curve the numerators w_i d_i and the weights w_i are such curves.
 //
 // Every function first leaves out control points without influence on the curve, each with a knot. There are degree + 1
 // knots up to the begin of a result and from its end on, and no knot stands more than degree + 1 times.
@@ -18,8 +18,8 @@
 
 namespace bezierbench::reference {
 
-// Curves have finite knots, coordinates and weights, of dimension 1 to 3. A coordinate that overflows is infinite. Empty
-// where a weight would not be positive after rounding.
+// Curves have finite knots, coordinates and weights, of dimension 1 to 3. A coordinate that overflows is infinite.
+// Empty where a weight would not be positive after rounding.
 
 /// With more knots, which may repeat, from the begin of the curve to its end. At an end the curve gets clamped.
 std::optional<BsplineCurve> with_knots_inserted(const BsplineCurve& curve, std::span<const double> knots);
@@ -31,9 +31,9 @@ std::optional<BsplineCurve> part_of_bspline(const BsplineCurve& curve, double fr
 /// In `degree`, at least that of the curve; each knot stands as many times more.
 std::optional<BsplineCurve> elevated_bspline(const BsplineCurve& curve, int degree);
 
-/// The derivative of this order, 0 to degree - 1, of a polynomial curve: control points m (d_(i+1) - d_i) / (u_(i+m+1) -
-/// u_(i+1)) for the first order [Piegl and Tiller 1997, (3.8)]. Where the curve jumps the derivative is that of its
-/// pieces.
+/// The derivative of this order, 0 to degree - 1, of a polynomial curve. Control points of the first order are
+///   m (d_(i+1) - d_i) / (u_(i+m+1) - u_(i+1)),    [Piegl and Tiller 1997], (3.8).
+/// Where the curve jumps, the derivative is that of its pieces.
 BsplineCurve derivative_of_bspline(const BsplineCurve& curve, int order);
 
 struct KnotRemoval {
@@ -43,11 +43,11 @@ struct KnotRemoval {
   double deviation;
 };
 
-/// Without these knots, which stand in the curve between its begin and end; one that is named k times stands k times less.
-/// New control points between those that stay are the blossoms of the piece before the knot in the first half, and of
-/// the piece behind it in the second one, as in [Piegl and Tiller 1997, section 5.4]. The deviation is the largest
-/// distance of a control point after the knot is inserted again, for a curve is nearer to another one than their control
-/// points over the same knots.
+/// Without these knots, which stand in the curve between its begin and end; one that is named k times stands k times
+/// less. New control points between those that stay are the blossoms of the piece before the knot in the first half, and
+/// of the piece behind it in the second one, as in [Piegl and Tiller 1997], section 5.4. The deviation is the largest
+/// distance of a control point after the knot is inserted again, for a curve is nearer to another one than their
+/// control points over the same knots.
 std::optional<KnotRemoval> with_knots_removed(const BsplineCurve& curve, std::span<const double> knots);
 
 }  // namespace bezierbench::reference

@@ -58,8 +58,8 @@ BsplineCurve random_curve(std::mt19937& random, int degree, bool rational) {
   return curve;
 }
 
-/// A coordinate of at most 64 is rounded by 2^-48 at most, as a weight is by 2^-53 of itself, and both move a point by no
-/// more than a few times as much.
+/// A coordinate of at most 64 is rounded by 2^-48 at most, as a weight is by 2^-53 of itself, and both move a point by
+/// no more than a few times as much.
 constexpr double rounding = 0x1p-48;
 
 double inside(const BsplineCurve& curve, std::mt19937& random) {
@@ -100,8 +100,8 @@ TEST(BsplineControlPoints, ExamplesOfTheNurbsBook) {
   EXPECT_EQ(at_knot->control_points, (Numbers{p[0], p[1], p[2], 16, 10, p[4], p[5], p[6], p[7]}));  // 2/3, 1/3
 }
 
-/// Inserted to multiplicity degree, the control point at a knot is the point of the curve; knots at an end clamp it. The
-/// uniform quadratic goes through the middles of its control polygon.
+/// Inserted to multiplicity degree, the control point at a knot is the point of the curve; knots at an end clamp it.
+/// The uniform quadratic goes through the middles of its control polygon.
 TEST(BsplineControlPoints, ClampsAnEnd) {
   const BsplineCurve uniform{1, 2, {0, 1, 2, 3, 4, 5, 6}, {0, 4, 12, 2}, {}};
   const auto clamped = with_knots_inserted(uniform, Numbers{2, 2, 3, 4, 4});
@@ -188,7 +188,7 @@ TEST(BsplineControlPoints, DerivativeAcrossAJump) {
   EXPECT_EQ(slope.control_points, (Numbers{0, 2, 2, 2}));
 }
 
-/// The quarter circle over [0, 1], in degree 3: weights 1, 1, 4/3, 2 [Piegl and Tiller 1997, section 5.5].
+/// The quarter circle over [0, 1], in degree 3: weights 1, 1, 4/3, 2 [Piegl and Tiller 1997], section 5.5.
 TEST(BsplineControlPoints, ElevatesARationalCurve) {
   const BsplineCurve quarter{2, 2, {0, 0, 0, 1, 1, 1}, {1, 0, 1, 1, 0, 1}, {1, 1, 2}};
   const auto cubic = elevated_bspline(quarter, 3);

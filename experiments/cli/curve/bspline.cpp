@@ -257,19 +257,23 @@ MadeCurve with_knots_inserted(const BsplineCurve& curve, const BsplineOptions& o
     const auto most = curve.degree + (u == curve.begin() || u == curve.end() ? 1 : 0);
     const auto count = std::ranges::count(curve.knots, u) + std::ranges::count(knots, u);
     if (count > most)
-      throw Failure(Exit::usage, "--insert {}: it would stand {} times; write it so often that it stands {} times",
-                    number::decimal(u), count, most);
+      throw Failure(Exit::usage, "--insert {}: the knot would stand {} times; leave {} of them out", number::decimal(u),
+                    count, count - most);
   }
   return reference::with_knots_inserted(curve, knots);
 }
 
 MadeCurve with_knots_removed(const BsplineCurve& curve, const BsplineOptions& options) {
   const auto knots = knots_within("--remove", options.remove, curve);
-  for (const double u : knots)
-    if (u == curve.begin() || u == curve.end() || std::ranges::count(curve.knots, u) < std::ranges::count(knots, u))
-      throw Failure(Exit::usage,
-                    "--remove {}: is not so often a knot inside of the curve; see --knots for those that are",
-                    number::decimal(u));
+  for (const double u : knots) {
+    const auto count = u == curve.begin() || u == curve.end() ? 0 : std::ranges::count(curve.knots, u);
+    if (count < std::ranges::count(knots, u))
+      throw Failure(
+          Exit::usage,
+          "--remove {}: stands {} times between the ends of the curve; write a knot that stands there, and as "
+          "often at most",
+          number::decimal(u), count);
+  }
   const double tolerance = options.tolerance ? finite_option("--tolerance", *options.tolerance) : 0;
   auto removed = reference::with_knots_removed(curve, knots);
   if (!removed) return std::nullopt;
@@ -277,7 +281,8 @@ MadeCurve with_knots_removed(const BsplineCurve& curve, const BsplineOptions& op
   if (removed->deviation > tolerance)
     throw Failure(Exit::finding, "--remove: a point of the curve might move by {}; write --tolerance {} to allow it",
                   deviation, deviation);
-  fmt::print(stderr, "bezierbench: --remove: no point of the curve moves farther than {}\n", deviation);
+  if (removed->deviation > 0)
+    fmt::print(stderr, "bezierbench: --remove: no point of the curve moves farther than {}\n", deviation);
   return removed->curve;
 }
 

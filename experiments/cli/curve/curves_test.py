@@ -220,60 +220,6 @@ class Curves(Case):
             with self.subTest(arguments=arguments):
                 self.refused(USAGE, ["curve", "grid", "--curve", *arguments], *needles)
 
-    def test_bspline(self):
-        self.write("d.csv", "x,y\n0,8\n3,4\n4,-4\n0,0\n")
-        curve = ["curve", "bspline", "--points", "d.csv", "--knots"]
-        found = rows(self.fine(*curve, "0,1,2,3,4,5,6", "--t", "2.5", "--t", "4"))
-        self.assertEqual(list(found[0]), EVAL_COLUMNS[:2] + ["index"] + EVAL_COLUMNS[2:])
-        for row in found:
-            self.assertEqual(row["bound_u"] == "", row["method"] == "chudy_wozny_span")
-        methods = {row["method"]: [r["index"] for r in found if r["method"] == row["method"]] for row in found}
-        for method, indices in methods.items():
-            self.assertEqual(set(indices), {"", "0", "1", "2"} if method.endswith("_span") else {""}, method)
-        self.assertEqual(len(methods), 4)
-        for knots, t, *needles in [
-                ("0,1,2,1.5,4,5,6", "2", "1.5 follows on 2", "must not descend"), ("0,1,2", "1", "3 knots for the 4 points", "6 to 8"),
-                ("0,1,2,3,4,5,6,7,8", "4", "9 knots for the 4 points"), ("0,0,1,1,1,2,2", "1", "begins and ends at 1"),
-                ("0,1,2,3,4,5,6", "1.5", "defined from 2 to 4"), ("0,1,2,x,4,5,6", "3", "--knots x"),
-                ("0,1,2,3,4,5,inf", "3", "--knots inf")]:
-            with self.subTest(knots=knots):
-                self.refused(USAGE, [*curve, knots, "--t", t], *needles)
-        self.write("knots.txt", "0 1\n2, 3,4\t5\r\n6\n")
-        self.assertEqual(rows(self.fine(*curve, "knots.txt", "--t", "2.5", "--t", "4")), found)
-        self.write("knots.txt", "0 1\n2 x 4 5 6\n")
-        self.refused(USAGE, [*curve, "knots.txt", "--t", "3"], "--knots knots.txt", "x")
-        said = self.run_program(*curve, "0,0,0,0,1,1,1", "--t", "0.5").stderr.decode()
-        self.assertIn("0 stands 4 times; above degree + 1 = 3 a control point has no influence", said)
-        for weights, *needles in [("1,2", "2 for the 4 points in d.csv", "one for each"), ("1,2,0,1", "0 is not above 0, as every weight must be"), ("1,x,1,1", "--weights x")]:
-            with self.subTest(weights=weights):
-                self.refused(USAGE, [*curve, "0,1,2,3,4,5,6", "--t", "3", "--weights", weights], *needles)
-
-    def test_closed_bspline(self):
-        """Over uniform knots a closed quadratic begins and ends in the middle between two points; a square's has four alike spans."""
-        self.write("s.csv", "x,y\n0,0\n2,0\n2,2\n0,2\n")
-        closed = ["curve", "bspline", "--points", "s.csv", "--closed", "2", "--knots"]
-        found = rows(self.fine(*closed, "0,1,2,3,4", "--method", "de_boor", *(f"--t={t}" for t in range(5))))
-        self.assertEqual([float(row["value"]) for row in found], [1, 0, 2, 1, 1, 2, 0, 1, 1, 0])
-        spans = rows(self.fine(*closed, "0,1,2,3,4", "--control-points"))
-        self.assertEqual([(float(row["x"]), float(row["y"])) for row in spans][:4], [(1, 0), (2, 0), (2, 1), (2, 1)])
-        self.refused(USAGE, [*closed, "0,1,2,3", "--t", "1"], "4 knots for the 4 points in s.csv", "write 5 knots")
-
-    def test_nurbs_circle(self):
-        """[Piegl and Tiller 1997], section 7.5: a circle of four quadratic spans, of nine points. The weights 1, 1, 2 of one span are exact."""
-        self.write("c.csv", "x,y\n1,0\n1,1\n0,1\n-1,1\n-1,0\n-1,-1\n0,-1\n1,-1\n1,0\n")
-        circle = ["curve", "bspline", "--points", "c.csv", "--knots", "0,0,0,1,1,2,2,3,3,4,4,4", "--weights", ",".join(["1", repr(math.sqrt(0.5))] * 4 + ["1"])]
-        for t in ("0.3", "1", "3.75"):
-            found = rows(self.fine(*circle, "--t", t))
-            for method in {row["method"] for row in found}:
-                x, y = (float(row["value"]) for row in found if row["method"] == method and row["index"] == "")
-                self.assertAlmostEqual(math.hypot(x, y), 1, delta=1e-15)
-        self.assertEqual({row["axis"] for row in found}, {"x", "y", "w"})
-        spans = self.fine(*circle, "--control-points")
-        self.write("spans.csv", spans)
-        self.assertEqual(len(rows(spans)), 12)
-        box = [row for row in rows(self.fine("curve", "box", "--curve", "spans.csv#1", "--method", "exact_box"))]
-        self.assertTrue(box)
-
     def test_box_of_a_curve(self):
         """A CSS timing function with overshoot: extrema by the quadratic formula lose points of it."""
         self.write("ease.csv", "x,y\n0,0\n0.5,-0.9\n0.1,1.5\n1,1\n")
