@@ -49,6 +49,13 @@ int main(void) {
   STRUCT(bb_half);
   MEMBER(bb_half, points);
   MEMBER(bb_half, weights);
+  STRUCT(bb_bspline);
+  MEMBER(bb_bspline, dimension);
+  MEMBER(bb_bspline, degree);
+  MEMBER(bb_bspline, count);
+  MEMBER(bb_bspline, points);
+  MEMBER(bb_bspline, weights);
+  MEMBER(bb_bspline, knots);
   STRUCT(bb_foot);
   MEMBER(bb_foot, t);
   MEMBER(bb_foot, distance);

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Files of curves.
+#include "bindings/c/curves.hpp"
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <string>
 
 #include "bindings/c/status.hpp"
-#include "reference/curves/read.hpp"
 
 using namespace bezierbench;
-
-struct bb_curves {
-  curves::CurveSet set;
-};
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
 #include "core/bounds/kernel.hpp"
+#include "core/bspline/kernel.hpp"
 #include "core/derivative/kernel.hpp"
 #include "core/easing/kernel.hpp"
 #include "core/evaluate/kernel/kernel.hpp"
@@ -39,6 +40,7 @@ class Methods {
     add_all(fitting_kernels(1));
     add_all(flatten_kernels(1));
     add_all(easing_kernels());
+    add_all(bspline_kernels(1));
   }
 
   [[nodiscard]] const std::vector<bb_method>& entries() const { return entries_; }

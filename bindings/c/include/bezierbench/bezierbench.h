@@ -8,8 +8,8 @@
  * bb_elevate also take 4 and 5. A degree is 0 to 1023; coordinates, weights and parameters are finite. Results must not
  * overlap what is read. An evaluation takes at most 0.7 MiB of the thread's stack.
  *
- * All functions may be called by several threads at once, also with one bb_prepared, bb_fitted or bb_curves, as long as
- * none frees it. Methods and reference compute in IEEE 754 arithmetic to nearest: in another rounding mode, or where subnormal
+ * All functions may be called by several threads at once, also with one bb_prepared, bb_fitted, bb_curves or
+ * bb_bspline_made, as long as none frees it. Methods and reference compute in IEEE 754 arithmetic to nearest: in another rounding mode, or where subnormal
  * numbers are flushed to zero, a function returns BB_ERROR_ENVIRONMENT. Floating-point exception flags and traps of the
  * caller are left as they were. No C++ exception leaves the library; exhausted memory is BB_ERROR_MEMORY, except in big
  * integers of the reference, where GMP ends the process unless the caller gave it functions of its own.
@@ -91,7 +91,7 @@ typedef struct bb_method {
   const char* id;         /* for example "de_casteljau" */
   const char* label;      /* for people */
   const char* problem;    /* "evaluation", "derivative", "grid", "subdivision", "arc_length", "inverse_arc_length",
-                             "projection", "fitting", "flattening", "bounds" or "easing" */
+                             "projection", "fitting", "flattening", "bounds", "easing" or "bspline" */
   const char* bound;      /* the proved bound in words; empty where there is none */
   const char* flops;      /* per point, in the degree n and the dimension d */
   const char* citation;   /* the source of the method */
@@ -365,6 +365,50 @@ BB_API int bb_curves_begins_path(const bb_curves* curves, size_t index, int* beg
  * BB_ERROR_COUNT because `size` bytes are too few. */
 BB_API int bb_curves_id(const bb_curves* curves, size_t index, char* id, size_t size, size_t* required);
 BB_API void bb_curves_free(bb_curves* curves); /* null is allowed */
+
+/* ---- B-spline curves and NURBS ---- */
+
+/* A B-spline curve of a degree from 1 on, which owns nothing, over t from knots[degree] to knots[count], of which the first is
+ * less. BB_ERROR_PARAMETER where that is not so, or knots descend; BB_ERROR_NO_POINT for a weight that is not above 0. */
+typedef struct bb_bspline {
+  int dimension;
+  int degree;
+  size_t count;          /* of control points, more than `degree` */
+  const double* points;  /* count * dimension values, not premultiplied by weights */
+  const double* weights; /* count values, above 0, of a NURBS; otherwise null */
+  const double* knots;   /* count + degree + 1 values */
+} bb_bspline;
+
+/* The points at t[0] to t[count - 1] by a method for the problem "bspline", "de_boor" for null; and the true points, each
+ * coordinate rounded once. BB_ERROR_PARAMETER for a t outside of the curve. */
+BB_API int bb_bspline_evaluate(const char* method, const bb_bspline* curve, const double* t, size_t count, double* out);
+BB_API int bb_bspline_exact(const bb_bspline* curve, const double* t, size_t count, double* out);
+
+/* The spans that are not empty, each over [0, 1] in Bernstein or rational form, as a set of curves, whose ids are their
+ * numbers. Each coordinate is the true one rounded once, and spans that meet share their end to the bit. */
+BB_API int bb_bspline_spans(const bb_bspline* curve, bb_curves** spans);
+
+/* A B-spline curve that the library made: its coordinates and weights are the true ones, each rounded once. Control points
+ * without influence on a curve are left out. BB_ERROR_NO_POINT where a weight would not be above 0. */
+typedef struct bb_bspline_made bb_bspline_made;
+
+/* With `count` knots more, from the begin of the curve to its end; at an end they clamp it. BB_ERROR_COUNT where a knot would
+ * stand more than `degree` times, or degree + 1 times at an end. */
+BB_API int bb_bspline_insert(const bb_bspline* curve, const double* knots, size_t count, bb_bspline_made** made);
+/* Without `count` knots between the ends; BB_ERROR_COUNT where there are fewer. No point moves farther than *deviation before
+ * the control points are rounded: 0 where the knots have no effect. */
+BB_API int bb_bspline_remove(const bb_bspline* curve, const double* knots, size_t count, bb_bspline_made** made,
+                             double* deviation);
+/* In a degree at least that of the curve. */
+BB_API int bb_bspline_elevate(const bb_bspline* curve, int degree, bb_bspline_made** made);
+/* The part over t in [from, to] of the curve, from < to, clamped. */
+BB_API int bb_bspline_part(const bb_bspline* curve, double from, double to, bb_bspline_made** made);
+/* The derivative of an order from 0 to degree - 1 of a curve without weights; with them BB_ERROR_FORM. */
+BB_API int bb_bspline_derivative(const bb_bspline* curve, int order, bb_bspline_made** made);
+
+/* Its numbers are those of `made`: copy them, or use them until that is freed. */
+BB_API int bb_bspline_get(const bb_bspline_made* made, bb_bspline* curve);
+BB_API void bb_bspline_free(bb_bspline_made* made); /* null is allowed */
 
 /* ---- Cubic splines through points ---- */
 
