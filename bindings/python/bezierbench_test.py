@@ -396,6 +396,29 @@ class Problems(unittest.TestCase):
         np.testing.assert_array_equal(bezierbench.part(line, 0.5, 0).points, [middle, line[0]])
         np.testing.assert_array_equal(bezierbench.elevate(line, 2).points, [line[0], middle, line[1]])
 
+    def test_bspline_curves(self):
+        """A uniform quadratic, which goes through the middles of its control polygon at its knots, and a circle."""
+        curve = bezierbench.Bspline([0, 4, 12, 2], range(7))
+        for method in {method.id for method in bezierbench.methods("bspline")}:
+            self.assertEqual(curve([2, 3, 4], method).tolist(), [[2], [8], [7]], method)
+        self.assertEqual(curve.exact(3).tolist(), [8])
+        clamped = curve.insert(2, 2, 3, 4, 4)
+        self.assertEqual((clamped.points.ravel().tolist(), clamped.knots.tolist()), ([2, 4, 8, 12, 7], [2, 2, 2, 3, 3, 4, 4, 4]))
+        self.assertEqual([span.points.ravel().tolist() for span in curve.spans()], [[2, 4, 8], [8, 12, 7]])
+        self.assertEqual(clamped.remove(3).points.ravel().tolist(), [2, 4, 12, 7])
+        with self.assertRaisesRegex(ValueError, "might move by 5.0; give"):
+            bezierbench.Bspline([[0, 0], [3, 4], [0, 0]], [0, 0, 1, 2, 2]).remove(1)
+        self.assertEqual(curve.part(3, 4).points.ravel().tolist(), [8, 12, 7])
+        self.assertEqual(curve.derivative().points.ravel().tolist(), [4, 8, -10])
+        quarter = bezierbench.Bspline([[1, 0], [1, 1], [0, 1]], [0, 0, 0, 1, 1, 1], [1, 1, 2])
+        self.assertEqual(quarter(0.5).tolist(), [0.6, 0.8])
+        self.assertEqual(quarter.elevate(3).weights.tolist(), [1, 1, 4 / 3, 2])
+        for call in (lambda: curve(5), lambda: curve.insert(3, 3), lambda: quarter.derivative(), lambda: curve.part(3, 3), lambda: curve.elevate(1),
+                     lambda: bezierbench.Bspline([0, 1], [0, 0, 0]), lambda: bezierbench.Bspline([0, 1], [0, 1, 0, 1]),
+                     lambda: bezierbench.Bspline([0, 1], [0, 0, 1, 1], [1, -1])):
+            with self.assertRaises(ValueError):
+                call()
+
     def test_roots_have_multiplicities(self):
         self.assertEqual(bezierbench.roots([1, -1, 1]), [(0.5, 2)])
         self.assertEqual(bezierbench.roots([[0, 0], [1, 2], [2, 0]], 1, axis=1), [(0.5, 2)])
@@ -413,7 +436,7 @@ class Problems(unittest.TestCase):
     def test_every_listed_method_is_there(self):
         problems = {method.problem for method in bezierbench.methods()}
         self.assertEqual(problems, {"evaluation", "derivative", "grid", "subdivision", "arc_length", "inverse_arc_length", "projection",
-                                    "fitting", "flattening", "bounds", "easing"})
+                                    "fitting", "flattening", "bounds", "easing", "bspline"})
         for method in bezierbench.methods("derivative", "bernstein"):
             bezierbench.derivative(CURVE, 0.5, 1, method.id)
         for method in bezierbench.methods("grid", "bernstein"):

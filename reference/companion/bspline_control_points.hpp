@@ -45,9 +45,9 @@ struct KnotRemoval {
 
 /// Without these knots, which stand in the curve between its begin and end; one that is named k times stands k times
 /// less. New control points between those that stay are the blossoms of the piece before the knot in the first half,
-/// and of the piece behind it in the second one, as in [Piegl and Tiller 1997], section 5.4. The deviation is the largest
-/// distance of a control point after the knot is inserted again, for a curve is nearer to another one than their
-/// control points over the same knots.
+/// and of the piece behind it in the second one, as in [Piegl and Tiller 1997], section 5.4. The deviation is the
+/// largest distance of a control point after the knot is inserted again, for a curve is nearer to another one than
+/// their control points over the same knots.
 std::optional<KnotRemoval> with_knots_removed(const BsplineCurve& curve, std::span<const double> knots);
 
 }  // namespace bezierbench::reference

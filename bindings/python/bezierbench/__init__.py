@@ -10,6 +10,7 @@ threads at once; the library runs without the interpreter's lock.
 """
 
 from ._library import Error
+from .bspline import Bspline
 from .bundles import Bundle, numbers, read
 from .curve_files import FileCurve, curves
 from .files import BundleError
@@ -58,7 +59,7 @@ from .problems import (
 )
 
 __version__ = version()
-__all__ = ["Bounds", "Box", "Bundle", "BundleError", "Chords", "Error", "Errors", "ExactFoot", "FileCurve", "Fit", "Foot", "Halves",
+__all__ = ["Bounds", "Box", "Bspline", "Bundle", "BundleError", "Chords", "Error", "Errors", "ExactFoot", "FileCurve", "Fit", "Foot", "Halves",
            "Length", "Method", "Parameter", "Points", "Prepared", "Root", "arc_length", "arc_length_error", "at_length", "bound", "box", "curves",
            "derivative", "ease", "elevate", "error", "evaluate", "exact", "exact_arc_length", "exact_ease", "exact_fractions", "exact_project", "fit",
            "flatten", "grid", "interpolate", "methods", "numbers", "part", "project", "project_error", "read", "recommended", "roots", "split", "version"]

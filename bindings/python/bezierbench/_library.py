@@ -61,9 +61,15 @@ class SplineEntry(ctypes.Structure):
                 ("end_derivative", c_void_p)]
 
 
+class BsplineEntry(ctypes.Structure):
+    _fields_ = [("dimension", c_int), ("degree", c_int), ("count", c_size_t), ("points", c_void_p), ("weights", c_void_p),
+                ("knots", c_void_p)]
+
+
 _ARRAY = c_void_p  # doubles or floats of NumPy
 _CURVE = POINTER(Curve)
 _DOUBLE = POINTER(c_double)
+_BSPLINE = POINTER(BsplineEntry)
 _SIGNATURES: dict[str, tuple[type | None, list[type]]] = {
     "bb_version": (c_uint, []),
     "bb_strerror": (c_char_p, [c_int]),
@@ -109,6 +115,16 @@ _SIGNATURES: dict[str, tuple[type | None, list[type]]] = {
     "bb_fitted_max_error": (c_double, [c_void_p]),
     "bb_fitted_exact_error": (c_int, [c_void_p, _DOUBLE]),
     "bb_fitted_free": (None, [c_void_p]),
+    "bb_bspline_evaluate": (c_int, [c_char_p, _BSPLINE, _ARRAY, c_size_t, _ARRAY]),
+    "bb_bspline_exact": (c_int, [_BSPLINE, _ARRAY, c_size_t, _ARRAY]),
+    "bb_bspline_spans": (c_int, [_BSPLINE, POINTER(c_void_p)]),
+    "bb_bspline_insert": (c_int, [_BSPLINE, _ARRAY, c_size_t, POINTER(c_void_p)]),
+    "bb_bspline_remove": (c_int, [_BSPLINE, _ARRAY, c_size_t, POINTER(c_void_p), _DOUBLE]),
+    "bb_bspline_elevate": (c_int, [_BSPLINE, c_int, POINTER(c_void_p)]),
+    "bb_bspline_part": (c_int, [_BSPLINE, c_double, c_double, POINTER(c_void_p)]),
+    "bb_bspline_derivative": (c_int, [_BSPLINE, c_int, POINTER(c_void_p)]),
+    "bb_bspline_get": (c_int, [c_void_p, _BSPLINE]),
+    "bb_bspline_free": (None, [c_void_p]),
     "bb_curves_read": (c_int, [c_char_p, c_char_p, c_size_t, POINTER(c_void_p)]),
     "bb_curves_count": (c_size_t, [c_void_p]),
     "bb_curves_at": (c_int, [c_void_p, c_size_t, _CURVE]),

@@ -24,7 +24,7 @@ class FileCurve(NamedTuple):
     begins_path: bool  # False where it starts at the end of the curve before it, as a segment of the same path
 
 
-def _copy(address: int, count: int) -> Array:
+def copied(address: int, count: int) -> Array:
     return np.array((ctypes.c_double * count).from_address(address), dtype=np.float64)
 
 
@@ -36,8 +36,16 @@ def _curve(handle: ctypes.c_void_p, index: int) -> FileCurve:
     name = ctypes.create_string_buffer(size.value)
     check(library.bb_curves_id(handle, index, name, size, None))
     count = entry.degree + 1
-    return FileCurve(name.value.decode(), FORM_NAMES[entry.form], _copy(entry.points, count * entry.dimension).reshape(count, -1),
-                     _copy(entry.weights, count) if entry.weights else None, bool(begins.value))
+    return FileCurve(name.value.decode(), FORM_NAMES[entry.form], copied(entry.points, count * entry.dimension).reshape(count, -1),
+                     copied(entry.weights, count) if entry.weights else None, bool(begins.value))
+
+
+def taken(handle: ctypes.c_void_p) -> list[FileCurve]:
+    """The curves of a bb_curves, which is freed."""
+    try:
+        return [_curve(handle, index) for index in range(library.bb_curves_count(handle))]
+    finally:
+        library.bb_curves_free(handle)
 
 
 def curves(file: str | os.PathLike[str]) -> list[FileCurve]:
@@ -49,7 +57,4 @@ def curves(file: str | os.PathLike[str]) -> list[FileCurve]:
     if status == _FILE:
         raise Error(status, message.value.decode(errors="replace"))
     check(status)
-    try:
-        return [_curve(handle, index) for index in range(library.bb_curves_count(handle))]
-    finally:
-        library.bb_curves_free(handle)
+    return taken(handle)
