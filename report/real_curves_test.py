@@ -1,11 +1,17 @@
 # SPDX-License-Identifier: MIT
 """Pages about curve sets: their words, what is not mixed up, and the chapter that opens them."""
 
+import tempfile
 import unittest
+from pathlib import Path
+
+import numpy as np
 
 from . import fixture, render
 from .answer import candidates
+from .bundle import Bundle
 from .chapters.roster import build_all
+from .figures import curve_sets
 from .findings.roster import find_all
 from .fixture import changed, of_kind, texts
 
@@ -105,6 +111,26 @@ class Figure(unittest.TestCase):
         figure = next(block for block in _chapters()["real-curves"].blocks if block.kind == "figure")
         points = {series.name: len(series.points) for series in figure.drawing.series}
         self.assertEqual(points["differences:horner"], 2 * 3 + 2 + 4)  # degrees by distances, then sets by placements
+
+    def test_sets_that_the_bundle_keeps_are_drawn(self):
+        """Curves of size 4 and 1 at distances 4 and 5, a quarter of a circle, a point, and a curve in power form."""
+        self.assertNotIn("curves-of-sets", of_kind(_chapters()["real-curves"].blocks, "figure"))
+        with tempfile.TemporaryDirectory() as place:
+            fixture.write(place, **fixture.REAL)
+            Path(place, "curves_few.csv").write_text(
+                "curve,index,form,x,y,w\na,0,bernstein,0,0,\na,1,bernstein,2,2,\na,2,bernstein,2,4,\nb,0,bernstein,0x1.4p+2,0,\nb,1,bernstein,4,0.5,\n"
+                "c,0,rational,1,0,1\nc,1,rational,1,1,0.7071067811865476\nc,2,rational,0,1,1\nd,0,bernstein,1,1,\nd,1,bernstein,1,1,\n"
+                "e,0,power,1,1,\ne,1,power,1,7,\n", encoding="utf-8")
+            bundle = Bundle(fixture.seal(place))
+        figure = of_kind({chapter.id: chapter for chapter in build_all(bundle, find_all(bundle))[0]}["real-curves"].blocks, "figure")["curves-of-sets"]
+        self.assertIn("few: half of the curves are nearer than 1 times", figure.alt)
+        self.assertIn("few: 3 curves", figure.drawing.svg)
+        found = list(curve_sets._curves(bundle["curves_few.csv"]))
+        self.assertEqual([curve_sets._distance(points) for points, _ in found], [1, 5, 1])
+        outline = curve_sets._outline(*found[0])  # the middle of the curve is (1.5, 2), its box 2 by 4 about (1, 2)
+        np.testing.assert_allclose(outline[:, curve_sets.STEPS // 2], (0.125, 0))
+        circle = curve_sets._outline(*found[2]) + 0.5
+        np.testing.assert_allclose(np.hypot(*circle), 1, rtol=1e-15)
 
 
 if __name__ == "__main__":

@@ -24,6 +24,7 @@ def real_curves(bundle, findings):
     found = kinds(rows)
     yield Bullets(tuple(map(_fewest, list(found.values())[:MOST_KINDS])))
     yield Text("Each of these shares is that on the set where it is largest.")
+    yield from figure("curves_of_sets", bundle)
     yield from figure("misrounded_by_distance", bundle)
     for own in list(found.values())[:MOST_KINDS]:
         yield Heading(_named(own))

@@ -4,6 +4,6 @@
 
 def drawn(name, *given):
     """The figure of that name. Matplotlib is imported here, since --summary does without."""
-    from . import canvas, conversion, costs, curves, marks, printed, real_curves, study  # noqa: F401
+    from . import canvas, conversion, costs, curve_sets, curves, marks, printed, real_curves, study  # noqa: F401
 
     return canvas.FIGURES[name](*given)
