@@ -51,9 +51,12 @@ bezierbench_peer_library(2geom 2geom/bezier.h HINTS ${headers_of_2geom}
                          LIBRARIES 2geom gsl gslcblas # it integrates with GSL
                          COPYLEFT "GPL-3.0-or-later (of GSL)")
 bezierbench_peer_library(occt opencascade/BSplCLib.hxx LIBRARIES TKGeomBase TKG3d TKG2d TKMath TKernel)
-if(TARGET peer_occt) # its headers include each other by name alone
-  target_include_directories(peer_occt SYSTEM INTERFACE ${PEER_occt_INCLUDE}/opencascade)
-endif()
+bezierbench_peer_library(occt_models opencascade/STEPControl_Reader.hxx LIBRARIES TKSTEP TKIGES TKXSBase TKBRep TKG3d TKMath TKernel)
+foreach(part occt occt_models) # its headers include each other by name alone
+  if(TARGET peer_${part})
+    target_include_directories(peer_${part} SYSTEM INTERFACE ${PEER_${part}_INCLUDE}/opencascade)
+  endif()
+endforeach()
 bezierbench_peer_library(sisl sisl.h LIBRARIES sisl COPYLEFT AGPL-3.0-or-later)
 bezierbench_peer_library(gsl gsl/gsl_bspline.h LIBRARIES gsl gslcblas COPYLEFT GPL-3.0-or-later)
 bezierbench_peer_library(eigen unsupported/Eigen/Splines SUFFIXES eigen3)

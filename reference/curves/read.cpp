@@ -14,7 +14,7 @@
 namespace bezierbench::curves {
 namespace {
 
-enum class Kind { csv, svg, json, path_data, font };
+enum class Kind { csv, svg, json, path_data, font, model };
 
 std::optional<Kind> kind_of_name(const std::string& name) {
   auto extension = std::filesystem::path(name).extension().string();
@@ -26,6 +26,8 @@ std::optional<Kind> kind_of_name(const std::string& name) {
   if (extension == ".txt") return Kind::path_data;
   constexpr std::array fonts{".ttf", ".otf", ".ttc", ".woff", ".woff2"};
   if (std::ranges::find(fonts, extension) != fonts.end()) return Kind::font;
+  constexpr std::array models{".step", ".stp", ".iges", ".igs"};
+  if (std::ranges::find(models, extension) != models.end()) return Kind::model;
   return std::nullopt;
 }
 
@@ -35,11 +37,20 @@ bool is_font(std::string_view contents) {
   return std::ranges::any_of(tags, [&](auto tag) { return contents.starts_with(tag); });
 }
 
+/// STEP by its first word, IGES by the number of its first line, which begins in column 73.
+bool is_model(std::string_view contents) {
+  constexpr std::size_t card = 80;
+  return contents.starts_with("ISO-10303-21;") ||
+         (contents.size() > card && contents[72] == 'S' && contents[card - 1] == '1' &&
+          contents.substr(73, 6).find_first_not_of(" 0") == std::string_view::npos);
+}
+
 /// A header of CSV begins with a letter, too; path data have a number next.
 Kind kind_of(std::string_view contents) {
   const auto begin = contents.find_first_not_of(" \t\r\n\f\xEF\xBB\xBF");
   if (begin == std::string_view::npos) return Kind::csv;
   if (is_font(contents)) return Kind::font;
+  if (is_model(contents)) return Kind::model;
   const char first = contents[begin];
   if (first == '<') return Kind::svg;
   if (first == '[' || first == '{') return Kind::json;
@@ -62,6 +73,12 @@ Read read(std::string_view contents, const std::string& name, const ReadOptions&
     case Kind::json: return read_json(contents, name, options.form);
     case Kind::font: return read_font(contents, name);
     case Kind::path_data: return read_path_data(contents, name);
+    case Kind::model:
+      if (options.model != nullptr) return options.model(contents, name);
+      throw Unreadable(
+          fmt::format("{}: STEP and IGES require Open CASCADE, which is not in this build; `scripts/build peers` makes "
+                      "a program that has it, and its `curves --out` a CSV file for all others",
+                      name));
     default: return read_csv(contents, name, options.form);
   }
 }

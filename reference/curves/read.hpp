@@ -33,16 +33,18 @@ struct Read {
   std::map<std::string, std::size_t> left_out;  ///< how many things of a kind were not read, by the reason
 };
 
-/// The form of polynomial coefficients in files that do not state it: CSV without a column `form`, and JSON.
 struct ReadOptions {
+  /// That of polynomial coefficients in files that do not state it: CSV without a column `form`, and JSON.
   Form form = Form::bernstein;
+  /// Reads models, STEP and IGES; without it they are Unreadable.
+  Read (*model)(std::string_view contents, const std::string& name) = nullptr;
 };
 
 /// Whether `name` ends with an extension that decides the kind of a file for read().
 bool has_known_extension(const std::string& name);
 
 /// Reads the contents of a file. `name` decides the kind by its extension (.csv, .svg, .ttf, .otf, .ttc, .woff, .woff2,
-/// .json, .txt for bare path data) and is named in messages; without a known extension the contents decide. Throws
+/// .json, .txt for bare path data, .step, .stp, .iges, .igs) and is named in messages; without a known extension the contents decide. Throws
 /// Unreadable.
 Read read(std::string_view contents, const std::string& name, const ReadOptions& options = {});
 

@@ -11,7 +11,9 @@
 
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/csv.hpp"
+#include "experiments/cli/curve/model_file.hpp"
 #include "experiments/failure.hpp"
+#include "experiments/peers/models.hpp"
 #include "reference/curves/path_data.hpp"
 #include "reference/number/echo.hpp"
 #include "reference/number/number.hpp"
@@ -78,7 +80,8 @@ CurveFile CurveFile::along(int axis) const {
 curves::Read read_set(const std::string& file, Form form) {
   const auto contents = contents_of(file);
   try {
-    return read_or_fail([&] { return curves::read(contents, file, {form}); });
+    const curves::ReadOptions options{form, peers::model_reader() == nullptr ? nullptr : read_model};
+    return read_or_fail([&] { return curves::read(contents, file, options); });
   } catch (const std::invalid_argument& error) {
     throw Failure(Exit::usage, "--form {}: {}", name(form), error.what());
   }
