@@ -28,7 +28,8 @@ enum class Problem {
   bspline,
   flattening,
   bounds,
-  easing
+  easing,
+  roots
 };
 
 constexpr std::string_view name(Problem problem) {
@@ -47,6 +48,7 @@ constexpr std::string_view name(Problem problem) {
     case Problem::flattening: return "flattening";
     case Problem::bounds: return "bounds";
     case Problem::easing: return "easing";
+    case Problem::roots: return "roots";
   }
   return "";
 }

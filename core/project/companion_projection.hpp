@@ -3,6 +3,7 @@
 // The bits of Eigen's iterations depend on how Eigen was built, so methods that use it are not bit-stable.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "core/project/root_projection.hpp"
@@ -10,9 +11,10 @@
 namespace bezierbench {
 
 /// Candidates for the roots of sum coefficients[k] t^k in [0, 1], whose last coefficient is not 0: the real parts in
-/// [0, 1] of all complex roots. They include a double root that rounding has split into a pair. A superfluous candidate
-/// costs one comparison of distances.
-std::vector<double> companion_roots(const std::vector<double>& coefficients);
+/// [-beyond, 1 + beyond] of all complex roots with an imaginary part of at most `off_axis`. By default they include a
+/// double root that rounding has split into a pair: a superfluous candidate costs one comparison of distances.
+std::vector<double> companion_roots(const std::vector<double>& coefficients, double beyond = 0,
+                                    double off_axis = std::numeric_limits<double>::infinity());
 
 template <class Method>
 struct CompanionProjection : RootProjection<Method> {
