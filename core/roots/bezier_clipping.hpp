@@ -39,10 +39,10 @@ struct BezierClipping {
 
   struct Part {
     double from = 1;
-    double to = 0;  ///< below `from` where there is none
+    double to = 0;
   };
 
-  /// Where the hull meets the axis: the chords of all pairs of control points are in it, its edges among them.
+  /// Where the hull of points on both sides meets the axis: the chords of all pairs are in it, its edges among them.
   static Part part_on_axis(const std::vector<double>& b) {
     const auto n = static_cast<double>(b.size() - 1);
     Part part;
@@ -51,7 +51,7 @@ struct BezierClipping {
       part.to = std::max(part.to, t);
     };
     for (std::size_t i = 0; i < b.size(); ++i) {
-      const double at = b.size() > 1 ? static_cast<double>(i) / n : 0;
+      const double at = static_cast<double>(i) / n;
       if (b[i] == 0) include(at);
       for (std::size_t j = i + 1; j < b.size(); ++j)
         if ((b[i] < 0 && b[j] > 0) || (b[i] > 0 && b[j] < 0))
@@ -72,11 +72,14 @@ struct BezierClipping {
 
   static void search(std::vector<double> b, double low, double width, FoundRoots& found) {
     while (true) {
+      if (sign_changes(b) == 0) {  // the polynomial is 0 at an end at most, or everywhere
+        if (b.front() == 0) found.t.push_back(low);
+        if (b.back() == 0) found.t.push_back(std::min(low + width, 1.0));
+        return;
+      }
       const auto [from, to] = part_on_axis(b);
-      if (from > to) return;
-      const bool is_zero = std::ranges::all_of(b, [](double x) { return x == 0; });
       const double kept = to - from;
-      if (is_zero || kept * width <= width_of_root) {
+      if (kept * width <= width_of_root) {
         found.t.push_back(std::min(low + (from / 2 + to / 2) * width, 1.0));
         return;
       }

@@ -7,9 +7,9 @@
 // Source: [Lane and Riesenfeld 1981], subdivision and sign changes; [Higham 2002], section 3.3, running error bounds;
 //   the enclosures are derived here.
 // Cost: 52 triangles a root for the bisection, some 10 for the signs, and 10 flops more in each step of a triangle.
-// Bound: a step (1-t) a + t b of numbers off by e_a and e_b has the result c off by (1-t) e_a + t e_b + u (|c| + 2 |(1-t)
-//   a| + |t b|), the last two of them only where t is not 1/2, and 2^-1072 covers underflow. Each sum is enlarged by
-//   2^-49 for its own roundings. Descartes' rule of signs then holds for the exact polynomial.
+// Bound: a step (1-t) a + t b of numbers off by e_a and e_b has the result c off by (1-t) e_a + t e_b + u (|c| + 2
+//   |(1-t) a| + |t b|), the last two of them only where t is not 1/2, and 2^-1072 covers underflow. Each sum is
+//   enlarged by 2^-49 for its own roundings. Descartes' rule of signs then holds for the exact polynomial.
 // Fails: roots closer to each other than about (u p~ / |p^(m)|)^(1/m) are one uncertain cluster, which may have none.
 #pragma once
 

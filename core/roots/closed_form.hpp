@@ -6,7 +6,7 @@
 //     cubic      A x^3 + 3 B x^2 w + 3 C x w^2 + D w^3, with the Hessian d_1 = A C - B^2, d_2 = A D - B C, d_3 = B D -
 //                C^2 and D' = 4 d_1 d_3 - d_2^2. For D' < 0 one root, by cube roots; for D' > 0 the outer root next to
 //                the axis of A and that of D, by cosines of thirds of angles, and the third by division; for D' = 0 the
-//                double root (-d_2 : 2 d_1), too.
+//                double root (-d_2 : 2 d_1), too. A root at an end is divided out.
 // Source: [Kahan 2004], the discriminant; [Blinn 2007], the cubic; the double root and the line are derived here.
 // Cost: 6, about 60 or about 300 flops, square roots and quotients among them. Thirds of angles and cube roots come by
 //   Newton's method, so that no library decides their bits.
@@ -47,6 +47,8 @@ struct ClosedForm {
     if (b.size() == 3) quadratic(b[2], b[1], b[0], take);
     if (b.size() == 4) cubic(b[3], b[2], b[1], b[0], take);
     std::ranges::sort(found.t);
+    const auto again = std::ranges::unique(found.t);
+    found.t.erase(again.begin(), again.end());
     return found;
   }
 
@@ -104,13 +106,17 @@ struct ClosedForm {
 
   template <class Take>
   static void cubic(double a, double b, double c, double d, const Take& take) {
+    if (a == 0 || d == 0) {  // a root at an end; the others are those of a quadratic
+      a == 0 ? take(1, 0) : take(0, 1);
+      return a == 0 ? quadratic(6 * b, 3 * c, 2 * d, take) : quadratic(2 * a, 3 * b, 6 * c, take);
+    }
     const double d1 = difference_of_products(a, c, b, b);
     const double d2 = difference_of_products(a, d, b, c);
     const double d3 = difference_of_products(b, d, c, c);
     const double discriminant = difference_of_products(4 * d1, d3, d2, d2);
     const double of_a = a * d2 - 2 * b * d1;  // D of the depressed cubic x^3 + 3 d1 x + of_a, scaled by a
     const double of_d = 2 * c * d3 - d * d2;  // likewise of the reversed one
-    if (d1 == 0 && d2 == 0 && d3 == 0) return a != 0 || b != 0 ? take(-b, a) : take(-d, c);
+    if (d1 == 0 && d2 == 0 && d3 == 0) return take(-b, a);
     if (discriminant <= 0) {
       const bool by_a = b * b * b * d >= a * c * c * c;
       const double leading = by_a ? a : d;

@@ -27,8 +27,9 @@ FoundRoots found_by(std::string_view id, const Numbers& b) {
   return {};
 }
 
-/// Integer Bernstein coefficients of the product of (m t - k), for k in `zeros`: with x = t / (1-t) a factor is (m - k) x
-/// - k, and b_i = e_i / C(n,i) for the coefficients e_i of the product, here times the least common multiple of C(n,i).
+/// Integer Bernstein coefficients of the product of (m t - k), for k in `zeros`: with x = t / (1-t) a factor is (m -
+/// k) x - k, and b_i = e_i / C(n,i) for the coefficients e_i of the product, here times the least common multiple of
+/// C(n,i).
 Numbers with_roots(int m, const std::vector<int>& zeros) {
   std::vector<std::int64_t> e{1};
   for (const int k : zeros) {
@@ -60,8 +61,8 @@ void each_that_takes(const Numbers& b, Use use) {
     if (method.info->supports<double>(static_cast<int>(b.size()) - 1)) use(method);
 }
 
-/// Simple roots at k/8, ends among them. Errors are u times the condition, which is below 2^10 here, and 2^-45 of a root
-/// of bezier_clipping. In power form the condition is up to 3^8 times as large.
+/// Simple roots at k/8, ends among them. Errors are u times the condition, which is below 2^10 here, and 2^-45 of a
+/// root of bezier_clipping. In power form the condition is up to 3^8 times as large.
 TEST(Roots, SimpleRootsAreFoundByAll) {
   for (const std::vector<int>& zeros : {std::vector<int>{3},
                                         {2, 5},
@@ -103,9 +104,9 @@ TEST(Roots, CurvesWithoutARootHaveNone) {
   }
 }
 
-/// a t^2 - 2 b t + c with Fibonacci numbers a, b, c = F_n, F_(n-1), F_(n-2) has the discriminant b^2 - a c = 1 for even n
-/// ([Kahan 2004]) and the roots (b -+ 1) / a. For n = 40 the products have 54 bits, so that their difference is lost to
-/// rounding; for n = 72 they have 100. Bernstein coefficients: c, c - b = -F_(n-3), a - 2 b + c = F_(n-4).
+/// a t^2 - 2 b t + c with Fibonacci numbers a, b, c = F_n, F_(n-1), F_(n-2) has the discriminant b^2 - a c = 1 for
+/// even n ([Kahan 2004]) and the roots (b -+ 1) / a. For n = 40 the products have 54 bits, so that their difference
+/// is lost to rounding; for n = 72 they have 100. Bernstein coefficients: c, c - b = -F_(n-3), a - 2 b + c = F_(n-4).
 TEST(Roots, TheDiscriminantDoesNotCancel) {
   std::vector<std::int64_t> fibonacci{0, 1};
   while (fibonacci.size() <= 72) fibonacci.push_back(fibonacci.end()[-1] + fibonacci.end()[-2]);
@@ -116,13 +117,22 @@ TEST(Roots, TheDiscriminantDoesNotCancel) {
   }
 }
 
-/// Double and triple roots of exact coefficients, where the closed forms have a case of their own: (4 t - 1)^2 (4 t - 3),
-/// its mirror, (4 t - 1)^3, and (2 t - 1)^2.
+/// Double and triple roots of exact coefficients, where the closed forms have a case of their own: (4 t - 1)^2 (4 t -
+/// 3), its mirror, (4 t - 1)^3, and (2 t - 1)^2.
 TEST(Roots, ClosedFormsOfMultipleRoots) {
   expect_roots(found_by("closed_form", with_roots(4, {1, 1, 3})), {0.25, 0.75}, 0x1p-51, "double");
   expect_roots(found_by("closed_form", with_roots(4, {1, 3, 3})), {0.25, 0.75}, 0x1p-51, "double");
   expect_roots(found_by("closed_form", with_roots(4, {1, 1, 1})), {0.25}, 0, "triple");
+  expect_roots(found_by("closed_form", with_roots(4, {1, 4, 4})), {0.25, 1}, 0x1p-52, "double at an end");
+  expect_roots(found_by("closed_form", with_roots(4, {0, 0, 3})), {0, 0.75}, 0x1p-52, "double at an end");
   expect_roots(found_by("closed_form", with_roots(2, {1, 1})), {0.5}, 0, "double");
+}
+
+/// A control point on the axis is not a root, unless it is an end.
+TEST(Roots, TheHullMayTouchTheAxis) {
+  for (const Numbers& b : {Numbers{2, 3, 0, 3}, {-1, 0, -1}, {1, 0, 0, 2}})
+    each_that_takes(
+        b, [&](const RootsKernel& method) { EXPECT_TRUE(method.find(view(b), 0, 0).t.empty()) << method.info->id; });
 }
 
 /// A double root between samples is a cluster of `certified`, and no root of `sampled_newton`.

@@ -4,7 +4,8 @@
 // Source: [Press et al. 2007], sections 9.1 (zbrak) and 9.4 (rtsafe).
 // Cost: 33 triangles, and about 6 a root.
 // Bound: none.
-// Fails: two roots between neighbouring samples are lost, and so is every root of even multiplicity that is not a sample.
+// Fails: two roots between neighbouring samples are lost, and so is every root of even multiplicity that is not a
+//   sample.
 #pragma once
 
 #include "core/roots/roots.hpp"

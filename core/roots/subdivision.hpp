@@ -40,7 +40,7 @@ inline int sign_changes(const std::vector<double>& b) {
   return changes;
 }
 
-/// Where roots are not told apart any more.
+/// Roots in a piece of this width are not distinguished.
 inline constexpr double narrowest_piece = 0x1p-53;
 
 /// A root in local coordinates, and the number of values that it took.
