@@ -81,6 +81,7 @@ FLIPS = {
     "derivative_bounds": changed("derivative.csv", {"bound_violations": 1}, method="triangle_derivatives", degree=4, order=2),
     "subdivision_halves": changed("subdivision.csv", {"junctions_apart": 1}, method="lerp_split", degree=4),
     "boxes_contain": changed("bounds.csv", {"too_small": 1}, method="exact_box", degree=4),
+    "roots_enclosed": changed("roots.csv", {"broken_promises": 1}, method="certified", degree=4),
     "grid_growth": changed("grid.csv", {"mean_error_u": 0.5}, method="forward_differencing", points=257),
     "bspline_recurrence": changed("bspline.csv", {"max_control_error_u": 1e6}, method="chudy_wozny_span"),
     "flattening_kept": changed("flattening.csv", {"broken": 1}, method="wang_count", tolerance=1e-2),

@@ -11,7 +11,7 @@ from .findings.roster import find_all
 # One study of each kind, and one whose id looks like that of a known suite.
 STUDIES = ("truth-bezier", "conversion-bezier", "worst-bezier", "peers-speed", "derivative-order", "subdivision-degree",
            "arc_length-tolerance", "inverse_arc_length-tolerance", "projection-cubics", "interpolation-points", "fitting-cubics",
-           "grid-points", "bspline-degree", "flattening-cubics", "bounds-degree", "guarantees-few")
+           "grid-points", "bspline-degree", "flattening-cubics", "bounds-degree", "roots-degree", "guarantees-few")
 # Those of kinds that the fixture has no rows of.
 MORE = {"every-float": "exhaustive", "every-x": "easing_floats", "easing-few": "easing", "hard-few": "hard_cases"}
 TITLE = "Degree 20 on my machine"

@@ -17,7 +17,7 @@ from .rows import Table
 from .time_tables import nearness, orders, reading_limits, reading_load
 
 CHAPTERS = {**{one.suite: one for one in ROSTER}, "evaluation": next(one for one in ROSTER if one.id == "timing")}
-PROBLEMS = ("derivative", "arc_length", "inverse_arc_length", "projection", "interpolation", "fitting", "subdivision", "grid", "bspline", "bounds", "evaluation")
+PROBLEMS = ("derivative", "arc_length", "inverse_arc_length", "projection", "interpolation", "fitting", "subdivision", "grid", "bspline", "bounds", "roots", "evaluation")
 
 
 def _blocks(change=None, problems=PROBLEMS):

@@ -51,6 +51,7 @@ STUDIES = {
     "grid": ("grid", "bernstein", "degree = [3]\npoints = [5]\ntrials = 2"),
     "flatten": ("flattening", "bernstein", "degree = [3, 5]\ntolerance = [1e-2]\ntrials = 3"),
     "boxes": ("bounds", "bernstein", "degree = [3]\ntrials = 2"),
+    "roots": ("roots", "bernstein", "degree = [3]\ntrials = 2"),
     "easing": ("easing", "bernstein", "degree = [3]\ntrials = 2"),
     "easing-every": ("easing_floats", "bernstein", 'curves = ["named#css_ease"]\nmethods = ["easing_halley"]\nt_interval = [[0.5, 0.5001]]'),
     "hard": ("hard_cases", "power", 'scalar = ["double", "float"]\ntrials = 200\nkept = 2'),

@@ -13,7 +13,7 @@ namespace bezierbench::studies {
 
 extern const StudyKind search_kind, conversion_kind, derivative_kind, arc_length_kind, inverse_arc_length_kind,
     projection_kind, interpolation_kind, fitting_kind, subdivision_kind, hard_cases_kind, guarantees_kind,
-    exhaustive_kind, grid_kind, bspline_kind, flattening_kind, bounds_kind, easing_kind, easing_floats_kind;
+    exhaustive_kind, grid_kind, bspline_kind, flattening_kind, bounds_kind, easing_kind, easing_floats_kind, roots_kind;
 
 namespace {
 
@@ -36,7 +36,8 @@ constexpr std::array roster{&accuracy_kind,
                             &flattening_kind,
                             &bounds_kind,
                             &easing_kind,
-                            &easing_floats_kind};
+                            &easing_floats_kind,
+                            &roots_kind};
 
 bool means_an_evaluator(const std::string& pattern) {
   constexpr int any_dimension = 2;

@@ -228,6 +228,27 @@ companion(
     more=_promised_boxes)
 
 
+@tables_of("roots")
+def _roots(bundle, study):
+    """Roots missed and added, and errors, by degree, over the ranges and inputs of the study."""
+    rows = bundle.judged("roots.csv").some(study=study, status="ok")
+    lines = [(label, over(column, combine, write), {}) for label, column, combine, write in (
+        ("roots", "roots", sum, large), ("missed", "missed", sum, large), ("missed where the sign changes", "missed_odd", sum, large),
+        ("spurious", "spurious", sum, large), ("largest error of t", "max_t_error", max, scientific),
+        ("largest error of simple roots, u max(1, condition)", "max_error_condition", max, general),
+        ("triangles, most of a mean", "mean_evaluations", max, general))]
+    for where, own in inputs.by_set(rows):
+        yield by_axis(own, "degree", study, f"Roots{where} ({_trials(own)} curves per method)", "求根", lines, row_head="quantity")
+
+
+companion(
+    "roots", "Roots",
+    "Truth: the roots in [0, 1] of every coordinate minus a value, with their multiplicities, by isolation with integers. The value is 0, and "
+    "the middle of the control points for curves of sets. An answer belongs to the nearest root, within 2^-20; a root without an answer is "
+    "missed, an answer without a root, or a second one, is spurious. The condition of a simple root is p~ / |p'|. `certified` encloses all "
+    "roots and says which enclosures have exactly one; a root that it cannot tell apart from another counts as one answer.")
+
+
 @tables_of("bspline")
 def _knot_spans(bundle, study):
     """Errors of points, then those of the control points of the Bernstein form, where a method makes it."""

@@ -366,6 +366,23 @@ def boxes_contain(bundle):
         rows=broken or refuted[:1] or rows[:1])
 
 
+@finding("roots")
+def roots_enclosed(bundle):
+    """Holds where no method that encloses all roots lost one."""
+    rows = [r for r in bundle.judged("roots.csv").of_suite("roots").rows if r["status"] == "ok"]
+    promised = {r["id"] for r in bundle["methods.csv"].rows if r["problem"] == "roots" and r["bound"]}
+    proved = [r for r in rows if r["method"] in promised]
+    if not proved:
+        raise Missing("`roots.csv` has no row of the suite `roots` of a method that encloses all roots")
+    broken = [r for r in proved if r["broken_promises"]]
+    others = [r for r in rows if r["method"] not in promised and r["missed_odd"]]
+    return verdict(
+        not broken, f"Every root is in an enclosure where a method promises that: {trials_of(proved)} curves.",
+        f"Roots are outside the enclosures that are proved: {methods_of(broken)}.",
+        f"The other methods miss {large(sum(r['missed_odd'] for r in others))} roots at which the sign changes, {methods_of(others) or 'none'}.",
+        rows=broken or others[:1] or rows[:1])
+
+
 @finding("grid")
 def grid_growth(bundle):
     """Holds where, at every degree, the least accurate method on the largest grid has a larger mean error over that of the best method there than

@@ -258,6 +258,16 @@ class Curves(Case):
         signs = self.write("signs.csv", "x,w\n1,1\n2,-3\n")
         self.refused(USAGE, ["curve", "roots", "--curve", signs], "pole")
 
+    def test_roots_by_a_method(self):
+        """(3t - 1)^2 has a double root, which the quadratic formula finds and samples miss; t - 1/4 has a simple one."""
+        square = self.write("square.csv", "curve,index,x\na,0,1\na,1,-2\na,2,4\nb,0,-0.25\nb,1,0.75\n")
+        command = ["curve", "roots", "--curve", square, "--method", "closed_form", "--method", "sampled_newton"]
+        self.assertEqual([tuple(row.values()) for row in rows(self.fine(*command))],
+                         [("a", "closed_form", "x", str(1 / 3), str(1 / 3), "2", "0"), ("a", "sampled_newton", "x", "", str(1 / 3), "2", ""),
+                          ("b", "closed_form", "x", "0.25", "0.25", "1", "0"), ("b", "sampled_newton", "x", "0.25", "0.25", "1", "0")])
+        self.refused(USAGE, [*command, "--of", "extrema"], "methods take --of value")
+        self.refused(USAGE, ["curve", "roots", "--curve", square, "--method", "closed_from"], 'did you mean "closed_form"?')
+
     def test_part_and_elevation_of_a_curve(self):
         """t = 0.2 of the part of a circle from 0.25 to 0.75, and of that part in degree 4, is 0.35 of the circle."""
         circle = self.write("circle.csv", "x,y,w\n1,0,1\n1,1,1\n0,1,2\n")

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
-// `curve roots`: every parameter at which a coordinate has a value or is stationary, or a plane curve has an inflection,
-// with its multiplicity: the true ones, rounded once.
+// `curve roots`: every parameter at which a coordinate has a value or is stationary, or a plane curve has an
+// inflection, with its multiplicity: the true ones, rounded once; or the answers of methods, compared with them.
+#include <cmath>
+#include <limits>
+
 #include "experiments/cli/curve/curve_command.hpp"
+#include "experiments/studies/roots/problem.hpp"
 #include "reference/companion/exact_roots.hpp"
 #include "reference/number/number.hpp"
 
@@ -16,6 +20,7 @@ struct RootsOptions {
   CurveOptions curve;
   std::string of = of_value;
   std::optional<std::string> value;
+  std::vector<std::string> methods;
 };
 
 void add_rows(const std::string& axis, const reference::Roots& found, const CurveFile& curve, int dimension,
@@ -28,10 +33,49 @@ void add_rows(const std::string& axis, const reference::Roots& found, const Curv
     add(number::decimal(t), std::to_string(multiplicity), point_fields_at(curve.view(), t, dimension));
 }
 
+/// A row for each answer, with its root where it has one, and for each root without an answer.
+void add_judged_rows(const CurveView<double>& curve, std::span<const RootsKernel* const> methods, int axis,
+                     double value, CurveTable& table) {
+  const auto truth = reference::roots_of_value(curve, axis, value);
+  for (const auto* method : methods) {
+    const auto answers = method->find(curve, axis, value).t;
+    const auto match = studies::matched(truth.roots, answers);
+    const auto add = [&](const std::string& t, const std::string& error, std::size_t root) {
+      std::vector<std::string> row{std::string(method->info->id), axis_name(axis), t, "", "", error};
+      if (truth.everywhere) row[4] = "inf";
+      if (root < truth.roots.size()) {
+        row[3] = number::decimal(truth.roots[root].t);
+        row[4] = std::to_string(truth.roots[root].multiplicity);
+      }
+      table.add_row(std::move(row));
+    };
+    for (std::size_t k = 0; k < answers.size(); ++k) {
+      const auto root = match.root_of[k];
+      add(number::decimal(answers[k]),
+          root < truth.roots.size() ? number::decimal(std::abs(answers[k] - truth.roots[root].t)) : "", root);
+    }
+    for (std::size_t root = 0; root < truth.roots.size(); ++root)
+      if (match.error[root] == std::numeric_limits<double>::infinity()) add("", "", root);
+  }
+}
+
+void find_judged_roots(const RootsOptions& options, double value) {
+  if (options.of != of_value) throw Failure(Exit::usage, "--method: methods take --of value; leave one of the two out");
+  const auto curves = options.curve.read();
+  CurveTable table(curves.size() > 1, false, {"method", "axis", "t", "exact_t", "multiplicity", "error"});
+  for (const auto& curve : curves) {
+    table.begin(curve.id);
+    const auto methods = chosen(roots_kernels(), options.methods, curve, Problem::roots);
+    for (int axis = 0; axis < curve.dimension; ++axis) add_judged_rows(curve.view(), methods, axis, value, table);
+  }
+  table.print();
+}
+
 void find_roots(const RootsOptions& options) {
   if (options.value && options.of != of_value)
     throw Failure(Exit::usage, "--value: goes with --of value; leave one of them out");
   const double value = options.value ? finite_option("--value", *options.value) : 0;
+  if (!options.methods.empty()) return find_judged_roots(options, value);
   const auto curves = options.curve.read();
   const int dimension = largest_dimension(curves);
   CurveTable table(curves.size() > 1, false, with_axes({"axis", "t", "multiplicity"}, dimension));
@@ -64,6 +108,10 @@ void add_roots(Command command) {
               "plane curve; default: value")
       .one_of({of_value, of_extrema, of_inflections});
   command.option("--value", options->value, "value of the coordinate; default: 0").takes("V");
+  command
+      .option("--method", options->methods,
+              "method whose answers are compared with the true roots; may be repeated; default: the true roots alone")
+      .takes("METHOD", methods_of(Problem::roots));
   command.action([options] { find_roots(*options); });
 }
 
