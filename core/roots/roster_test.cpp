@@ -77,7 +77,9 @@ TEST(Roots, SimpleRootsAreFoundByAll) {
     for (const int k : zeros) expected.push_back(k / 8.0);
     each_that_takes(b, [&](const RootsKernel& method) {
       const double within = method.info->id == "companion_eigenvalues" ? 0x1p-40 * 6561 : 0x1p-40;
-      expect_roots(method.find(view(b), 0, 0), expected, within, method.info->id);
+      const auto found = method.find(view(b), 0, 0);
+      expect_roots(found, expected, within, method.info->id);
+      EXPECT_TRUE(std::ranges::all_of(found.enclosures, &RootEnclosure::certain)) << zeros.size();
     });
   }
 }
