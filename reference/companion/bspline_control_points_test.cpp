@@ -100,6 +100,47 @@ TEST(BsplineControlPoints, ExamplesOfTheNurbsBook) {
   EXPECT_EQ(at_knot->control_points, (Numbers{p[0], p[1], p[2], 16, 10, p[4], p[5], p[6], p[7]}));  // 2/3, 1/3
 }
 
+/// Known answers of the tests of tinyspline (test/c/insert_knot.c and derive.c), which give five decimals.
+TEST(BsplineControlPoints, AnswersOfTinyspline) {
+  const auto expect_near = [](const BsplineCurve& curve, const Numbers& points) {
+    ASSERT_EQ(curve.control_points.size(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) EXPECT_NEAR(curve.control_points[i], points[i], 1e-5) << i;
+  };
+  const BsplineCurve cubic{2,
+                           3,
+                           {0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1},
+                           {-1.75, -1, -1.5, -0.5, -1.5, 0, -1.25, 0.5, -0.75, 0.75, 0, 0.5, 0.5, 0},
+                           {}};
+  expect_near(*with_knots_inserted(cubic, Numbers{0.3}),
+              {-1.75, -1, -1.5, -0.5, -1.5, -0.2, -1.4, 0.2, -1.21666, 0.51666, -0.75, 0.75, 0, 0.5, 0.5, 0});
+  const auto twice = with_knots_inserted(cubic, Numbers{0.6, 0.6});
+  EXPECT_EQ(twice->knots, (Numbers{0, 0, 0, 0, 0.25, 0.5, 0.6, 0.6, 0.75, 1, 1, 1, 1}));
+  expect_near(*twice, {-1.75, -1, -1.5, -0.5, -1.5, 0, -1.3, 0.4, -1.10166, 0.55166, -0.93333, 0.63333, -0.6, 0.7, 0,
+                       0.5, 0.5, 0});
+  const BsplineCurve quadratic{
+      2,
+      2,
+      {2, 2, 2, 3, 4, 5, 6, 7, 8, 9, 10, 10, 10},
+      {-1.75, -1, -1.5, -0.5, -1.5, 0, -1.25, 0.5, -0.75, 0.75, 0, 0.5, 0.5, 0, 1.5, 0.5, 2, 1.5, 2.5, 1},
+      {}};
+  const auto slope = derivative_of_bspline(quadratic, 1);
+  const auto at = point_in(slope.span(slope.span_at(8.4)), 8.4);
+  EXPECT_NEAR(round_to(binary64, at.coordinate(0)), 0.8, 1e-14);
+  EXPECT_NEAR(round_to(binary64, at.coordinate(1)), 0.7, 1e-14);
+}
+
+/// Points of the tests of NURBS-Python (tests/test_BSpline_Curve2D.py), which cut them off after three decimals and
+/// allow 0.001: control points of the curve where a knot stands as often as the degree says.
+TEST(BsplineControlPoints, AnswersOfNurbsPython) {
+  const BsplineCurve curve{
+      2, 3, {0, 0, 0, 0, 0.33, 0.66, 1, 1, 1, 1}, {5, 5, 10, 10, 20, 15, 35, 15, 45, 10, 50, 5}, {}};
+  const auto inserted = with_knots_inserted(curve, Numbers{0.3, 0.6, 0.3, 0.6, 0.3, 0.6});
+  EXPECT_NEAR(inserted->control_points[6], 18.617, 1e-3);
+  EXPECT_NEAR(inserted->control_points[7], 13.377, 1e-3);
+  EXPECT_NEAR(inserted->control_points[14], 32.143, 1e-3);
+  EXPECT_NEAR(inserted->control_points[15], 14.328, 1e-3);
+}
+
 /// Inserted to multiplicity degree, the control point at a knot is the point of the curve; knots at an end clamp it.
 /// The uniform quadratic goes through the middles of its control polygon.
 TEST(BsplineControlPoints, ClampsAnEnd) {

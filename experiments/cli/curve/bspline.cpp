@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `curve bspline`: the points of one B-spline curve, with weights or without, by any method, and the Bernstein form of the
-// knot span by those that make it, against the exact ones; or a B-spline curve made of it: with knots inserted or
+// `curve bspline`: the points of one B-spline curve, with weights or without, by any method, and the Bernstein form of
+// the knot span by those that make it, against the exact ones; or a B-spline curve made of it: with knots inserted or
 // removed, in a higher degree, a part, a derivative.
 #include <algorithm>
 #include <cmath>
