@@ -44,8 +44,8 @@ struct ReadOptions {
 bool has_known_extension(const std::string& name);
 
 /// Reads the contents of a file. `name` decides the kind by its extension (.csv, .svg, .ttf, .otf, .ttc, .woff, .woff2,
-/// .json, .txt for bare path data, .step, .stp, .iges, .igs) and is named in messages; without a known extension the contents decide. Throws
-/// Unreadable.
+/// .json, .txt for bare path data, .step, .stp, .iges, .igs) and is named in messages; without a known extension the
+/// contents decide. Throws Unreadable.
 Read read(std::string_view contents, const std::string& name, const ReadOptions& options = {});
 
 struct NamedRead {

@@ -45,7 +45,7 @@ TEST(ProjectionStudy, EveryOwnMethodKeepsItsBoundOfTheResidual) {
 
 TEST(ProjectionStudy, AResidualAboveItsBoundBreaksAPromise) {
   const std::vector<double> point{1, 2};
-  ProjectionProblem::Drawn line{{2, 1, {0, 0, 4, 0}, point}, {}};
+  ProjectionProblem::Drawn line{{2, 1, {0, 0, 4, 0}, point, {}}, {}};
   line.exact = reference::projection({Form::bernstein, 2, 1, line.placed.points}, point);
   const auto& kernel = ProjectionProblem::kernels(2).front();
   const auto broken = [&](const FootPoint& foot) {

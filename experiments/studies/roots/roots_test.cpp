@@ -88,8 +88,12 @@ TEST(RootsStudy, MultipleRootsAreCountedOnce) {
     EXPECT_EQ(csv.at(row, "polynomials"), "1");
     EXPECT_EQ(csv.at(row, "roots"), "1");
     const auto& method = csv.at(row, "method");
-    if (method == "closed_form") EXPECT_EQ(csv.at(row, "right_count"), "1");
-    if (method == "certified") EXPECT_EQ(csv.at(row, "missed"), "0");
+    if (method == "closed_form") {
+      EXPECT_EQ(csv.at(row, "right_count"), "1");
+    }
+    if (method == "certified") {
+      EXPECT_EQ(csv.at(row, "missed"), "0");
+    }
   }
 }
 
