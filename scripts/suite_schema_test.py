@@ -98,7 +98,7 @@ class SuiteSchema(unittest.TestCase):
                 (timing + 'methods = ["differences_horner"]\nmodes = ["one_shot"]\n', "4:1"),  # no order
                 (timing + 'methods = ["schneider"]\norder = [1]\nmodes = ["one_shot"]\npoints = [5]\ntolerance = [1]\n', "9:1"),
                 (timing + 'methods = ["quintic_isolate"]\nmodes = ["point"]\n', "9:10"),
-                (timing + 'methods = ["quintic_isolate"]\nmodes = ["one_shot"]\ncurve = "rational"\n', "10:9"),
+                (timing + 'methods = ["quintic_isolate"]\nmodes = ["one_shot"]\ncurve = "rational"\n', "8:12"),
                 (timing + 'methods = ["direct"]\nbaseline = "de_casteljau"\n', "9:12"),
                 (timing + 'methods = ["direct", "horner"]\n', "8:22"),
                 (HEAD + study.format("accuracy") + 'methods = ["direct", "horner"]\n', "8:22"),

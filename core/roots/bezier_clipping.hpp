@@ -28,8 +28,8 @@ struct BezierClipping {
     FoundRoots found;
     search(b, 0, 1, found);
     std::ranges::sort(found.t);
-    const auto again = std::ranges::unique(found.t, [](double a, double c) { return c - a <= width_of_root; });
-    found.t.erase(again.begin(), again.end());
+    const auto is_same = [](double a, double c) { return c - a <= width_of_root; };
+    found.t.erase(std::unique(found.t.begin(), found.t.end(), is_same), found.t.end());
     return found;
   }
 

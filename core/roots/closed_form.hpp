@@ -47,8 +47,7 @@ struct ClosedForm {
     if (b.size() == 3) quadratic(b[2], b[1], b[0], take);
     if (b.size() == 4) cubic(b[3], b[2], b[1], b[0], take);
     std::ranges::sort(found.t);
-    const auto again = std::ranges::unique(found.t);
-    found.t.erase(again.begin(), again.end());
+    found.t.erase(std::unique(found.t.begin(), found.t.end()), found.t.end());
     return found;
   }
 

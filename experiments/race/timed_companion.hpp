@@ -115,9 +115,13 @@ class CompanionRival {
 template <judge::TrialProblem P>
 std::vector<Race> races_of_companion(const suite::Study& study) {
   auto races = companion_races(study, P::axes);
+  bool any_of_form = races.empty();
   for (auto& race : races)
-    for (const auto* kernel : judge::chosen_trial_kernels<P>(study, race.cell.dimension))
+    for (const auto* kernel : judge::chosen_trial_kernels<P>(study, race.cell.dimension)) {
+      any_of_form = true;
       if (judge::takes<P>(*kernel->info, race.cell)) race.methods.push_back(kernel->info);
+    }
+  judge::require_form(study, any_of_form);
   return races;
 }
 

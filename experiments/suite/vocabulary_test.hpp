@@ -39,6 +39,7 @@ inline const Vocabulary& test_vocabulary() {
                                  "de_casteljau_split",
                                  "wang_count",
                                  "exact_box",
+                                 "lane_riesenfeld",
                                  "easing_halley"},
                                 {"factorial", "differences", "forward_substitution", "positive_sum", "exact"},
                                 {{"continuous", {}},

@@ -137,8 +137,9 @@ class PublicReports(Case):
 
     def case_hint_convert(self, case):
         self.curve(case)
-        result = self.refused(USAGE, ["curve", "grid", "--curve", "c.csv", "--points", "3"], "rational")
-        self.assertNotRegex(result.stderr.decode(), "curve convert|leave.*out")
+        self.fine("curve", "grid", "--curve", "c.csv", "--points", "3")
+        result = self.refused(USAGE, ["curve", "convert", "--curve", "c.csv", "--method", "differences"], "rational")
+        self.assertNotRegex(result.stderr.decode(), "see `curve convert`|leave.*out")
 
     def case_G_MSG_2(self, case):
         self.refused(USAGE, shlex.split(case["command"]), 'did you mean "length"?')
