@@ -14,6 +14,7 @@
 
 #include "core/api/evaluate.hpp"
 #include "core/flatten/roster.hpp"
+#include "core/flatten/scaled.hpp"
 
 namespace bezierbench {
 
@@ -24,7 +25,7 @@ std::vector<PointOf<Points>> chords_of(const C& curve, double tolerance) {
   if (!(tolerance > 0 && std::isfinite(tolerance)))
     throw std::invalid_argument("bezierbench: the tolerance must be above 0");
   Flattening chords;
-  Method::flatten(curve, tolerance, chords);
+  flatten_scaled<Method>(curve, tolerance, chords);
   if (!chords.complete) throw std::invalid_argument("bezierbench: the tolerance is too fine for the coordinates");
   std::vector<PointOf<Points>> ends(chords.t.size());
   const double* coordinate = chords.points.data();

@@ -3,6 +3,7 @@
 
 #include "core/evaluate/kernel/kernel_of.hpp"
 #include "core/flatten/roster.hpp"
+#include "core/flatten/scaled.hpp"
 #include "core/kernel_tables.hpp"
 
 namespace bezierbench {
@@ -23,7 +24,7 @@ void flatten_degree(const CurveView<double>& view, double tolerance, Flattening&
   } else {
     copy_points(curve);
   }
-  M::flatten(curve, tolerance, chords);
+  flatten_scaled<M>(curve, tolerance, chords);
 }
 
 template <class M>

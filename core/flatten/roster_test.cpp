@@ -242,6 +242,34 @@ TEST(Flatten, RationalCurvesKeepTheTolerance) {
   EXPECT_GT(with_signs, 40);
 }
 
+/// Neither tiny nor huge coordinates and weights change a parameter, also where their squares and products leave the
+/// range of double.
+TEST(Flatten, ScalingByAnyPowerOfTwoChangesNoParameter) {
+  Inputs inputs(14);
+  for (int trial = 0; trial < 6; ++trial) {
+    const auto b = inputs.coefficients(3, 2);
+    for (const auto& kernel : flatten_kernels(2)) {
+      if (!kernel.info->supports<double>(3)) continue;
+      const auto curve = for_method(kernel, in_plane(b));
+      const auto chords = flattened(kernel, curve, 1e-3);
+      for (const int exponent : {-900, -600, 500, 1022}) {
+        auto scaled = b;
+        for (double& x : scaled) x = std::ldexp(x, exponent);
+        for (const int of_weights : {-1000, 0, 1000}) {
+          auto weights = std::vector<double>(curve.weights.begin(), curve.weights.end());
+          for (double& w : weights) w = std::ldexp(w, of_weights);
+          const CurveView<double> all{curve.form, 2, 3, scaled, weights};
+          const auto same = flattened(kernel, all, std::ldexp(1e-3, exponent));
+          EXPECT_EQ(same.t, chords.t) << kernel.info->id << " " << exponent;
+          EXPECT_EQ(same.complete, chords.complete) << kernel.info->id;
+          for (std::size_t k = 0; k < same.points.size(); ++k)
+            EXPECT_EQ(same.points[k], std::ldexp(chords.points[k], exponent)) << kernel.info->id;
+        }
+      }
+    }
+  }
+}
+
 /// A chord of the unit circle over the angle a is 1 - cos(a/2) from it: a quarter takes pi / (4 acos(1 - E)) chords. No
 /// method has fewer. Equal steps of this parameter turn 1.17 times as far in the middle as at the ends, and halving
 /// doubles the number of chords.

@@ -142,7 +142,8 @@ int largest_exponent(std::span<const double> numbers) {
   return exponent;
 }
 
-/// A bound of sum |w_i| B_i / |W| over [0, 1], for weights below 1; infinite where they are too far apart for doubles.
+/// 1 for weights of one sign, else g (1 + g) with a bound g of sum |w_i| B_i / |W| over [0, 1], the weights being below
+/// 1; infinite where they are too far apart for doubles.
 double growth_of_errors(const CurveView<double>& curve, const std::vector<Lifted>& control_points) {
   double least = std::numeric_limits<double>::infinity();
   std::vector<double> weights;
@@ -154,7 +155,8 @@ double growth_of_errors(const CurveView<double>& curve, const std::vector<Lifted
     return std::numeric_limits<double>::infinity();
   if (weights_have_one_sign(control_points)) return 1;
   const auto [low, high] = exact_range({Form::bernstein, 1, curve.degree, weights}, 0);
-  return 1 / std::max(low, -high);
+  const double g = 1 / std::max(low, -high);
+  return g * (1 + g);
 }
 
 }  // namespace
@@ -271,9 +273,10 @@ ChordJudgement judge_chord(const ScaledCurve& curve, double t_from, double t_to,
                        curve.slack();
   auto distance = largest_distance(std::move(piece), start, end, limit, curve.slack());
   distance.high = std::max(distance.high, apart);
-  const Kept kept = distance.high <= limit ? Kept::proved
-                    : distance.low > limit ? Kept::refuted
-                                           : judge_exactly(curve.given(), t_from, t_to, from, to, tolerance);
+  const Kept kept = distance.high <= limit      ? Kept::proved
+                    : distance.low > limit      ? Kept::refuted
+                    : std::isinf(curve.slack()) ? Kept::undecided
+                                                : judge_exactly(curve.given(), t_from, t_to, from, to, tolerance);
   return {{curve.unscaled(distance.low), curve.unscaled(distance.high)}, kept};
 }
 

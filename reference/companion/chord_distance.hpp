@@ -38,15 +38,16 @@ struct ChordJudgement {
 /// Points and pieces of a curve, times a power of two that brings its largest coordinate into [1/2, 1). Every computed
 /// coordinate or distance is off by at most `slack`: n levels of three roundings for a blossom, 30 halvings of n levels
 /// of one rounding, and at most 60 roundings for a distance, all of numbers below 4, on each axis. Of a rational curve
-/// the numerator V and the denominator W have these errors, over sum |w_i| B_i, and V / W twice as many over |W|: for
-/// weights of two signs `slack` is larger by the largest |w_i| over the least |W|.
+/// the numerator V and the denominator W have these errors, over sum |w_i| B_i, and V / W has
+/// (|dV| + |V/W| |dW|) / |W|. Where weights have two signs, let g be the largest |w_i| over the least |W|: |V/W| <= g,
+/// so that `slack` is larger by g (1 + g).
 class ScaledCurve {
  public:
   using Vector = std::array<double, 3>;
   using Homogeneous = std::array<double, 4>;  ///< coordinates times the weight, and the weight: 1 if not rational
 
   /// Finite control points, dimension at most 3, in Bernstein form or in rational form without a pole in [0, 1]. Where
-  /// weights are more than 2^900 apart, `slack` is infinite. `curve` must outlive this object.
+  /// weights are more than 2^900 apart, `slack` is infinite, and nothing is decided. `curve` must outlive this object.
   explicit ScaledCurve(const CurveView<double>& curve);
 
   [[nodiscard]] int degree() const { return curve_.degree; }

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "reference/companion/least_chords.hpp"
+#include "reference/exact_curve.hpp"
 
 namespace bezierbench::reference {
 namespace {
@@ -66,6 +68,42 @@ TEST(ChordDistance, CountsTheEndsOfTheChord) {
   const auto judgement = judge_chord(ScaledCurve(curve), 0, 1, std::span(line).first(2), longer, 0.5);
   EXPECT_EQ(judgement.kept, Kept::undecided);  // no point of the piece is off, and one of the chord is
   EXPECT_GE(judgement.distance.high, 1);
+}
+
+/// Weights of two signs whose sum is 4e-15 at its least, next to which doubles know little: no enclosure ends below a
+/// true point, and no tolerance below it counts as kept.
+TEST(ChordDistance, NextToAPoleNothingWrongIsProved) {
+  const std::vector<double> points{0.686789687751457,  0.03440889102532596, -0.9544003990192389,
+                                   0.8403649283166097, 0.374552277738742,   0.15477492546042937};
+  const std::vector<double> weights{1, -3.6918028870831114, 13.629408557075534};
+  const CurveView<double> curve{Form::rational, 2, 2, points, weights};
+  const ScaledCurve scaled(curve);
+  ExactCurve exact;
+  const auto at = [&](double t) {
+    const auto& point = exact.point(curve, t);
+    return std::vector<double>{round_to(binary64, point.coordinate(0)), round_to(binary64, point.coordinate(1))};
+  };
+  const double pole = (weights[0] - weights[1]) / (weights[0] - 2 * weights[1] + weights[2]);  // where W is least
+  int judged = 0;
+  for (int k = 2; k < 40; ++k) {
+    const double from = std::floor(std::ldexp(pole, k)) * std::ldexp(1, -k);
+    const double to = from + std::ldexp(1, -k);
+    const auto start = at(from);
+    const auto end = at(to);
+    double sampled = 0;
+    for (int j = 1; j < 64; ++j) {
+      const auto point = at(j == 1 ? pole : from + (to - from) * j / 64);
+      sampled =
+          std::max(sampled, distance_to_segment({point[0], point[1], 0}, {start[0], start[1], 0}, {end[0], end[1], 0}));
+    }
+    const double certain = sampled - 0x1p-48 * (std::abs(start[0]) + std::abs(end[0]));  // points are rounded
+    if (!(certain > 0)) continue;
+    const auto judgement = judge_chord(scaled, from, to, start, end, certain * (1 - 1e-6));
+    EXPECT_GE(judgement.distance.high, certain) << k;
+    EXPECT_NE(judgement.kept, Kept::proved) << k;
+    ++judged;
+  }
+  EXPECT_GT(judged, 20);
 }
 
 LeastChords least(const std::vector<double>& control_points, double tolerance) {
