@@ -6,7 +6,8 @@
 //   are the feet of P; its degree is 3n - 2.
 // Source: derived here, from the quotient rule ([Piegl and Tiller 1997], eq. (4.8)).
 // Cost: n^2 (2d + 4) / 2 flops once; a distance costs a point of degree n on d + 1 axes.
-// Bound: V is off by (3n + 2) u of sum |w_i| |b_i - P| B_i: a distance by some n u of the largest |b_i - P|.
+// Bound: V is off by (3n + 2) u of sum |w_i| |b_i - P| B_i: a distance by some n u of the largest |b_i - P|, times
+//   sum |w_i| B_i / |W|.
 // Fails: where W has a root in [0, 1], or a weight is more than 2^900 times another one.
 #pragma once
 
@@ -87,6 +88,14 @@ class RationalOffset {
       slope.derivative += degree() * step[axis] * u[axis] + (2 * degree() - 2) * v[axis] * bend[axis];
     }
     return slope;
+  }
+
+  /// sum |w_i| B_i / |W|, by which errors are larger than those of weights of one sign.
+  [[nodiscard]] double cancellation(double t) const {
+    if (positive_) return 1;
+    Polygon<1> sizes(1, lifted_.cols());
+    for (int i = 0; i <= degree(); ++i) sizes(0, i) = std::abs(lifted_(Dimension, i));
+    return point_at<1>(sizes, t)[0] / std::abs(point_at<Dimension + 1>(lifted_, t)[Dimension]);
   }
 
   /// None is known of the second derivative, so that no step of Newton's method is the last one by it.

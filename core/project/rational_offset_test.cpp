@@ -117,6 +117,19 @@ TEST(RationalProjection, SubdivisionKnowsWherePartsOfTheCurveHaveSmallWeights) {
     }
 }
 
+/// W is 4e-16 of the largest weight at its least, so that computed distances have no digits there.
+TEST(RationalProjection, NextToAPoleSubdivisionSaysThatItDoesNotKnow) {
+  Curve<Form::rational, double, 2> curve(2);
+  const double x[] = {9.2540181397442341e-18, 9.2540181397442341e-18, 0};
+  const double weights[] = {1, -7.1650473098150336, 51.337902951892524};
+  for (int i = 0; i <= 2; ++i) {
+    curve.points(0, i) = x[i];
+    curve.points(1, i) = 0;
+    curve.weights[i] = weights[i];
+  }
+  EXPECT_FALSE(ProjectionOfRational<SubdivideHull>::project(curve, Point<double, 2>(0.65908621577795845, 0)).converged);
+}
+
 TEST(RationalProjection, OntoACurveThatIsAPoint) {
   const std::vector<double> points{1, 2, 3, 1, 2, 3, 1, 2, 3};
   const std::vector<double> weights{1, -0.5, 1};

@@ -14,7 +14,8 @@
 //   |V|^2 - D^2 W^2 is negative, D the least distance less a margin (docs/proofs/rational_projection.md).
 // Fails: beyond degree 512 the binomials of degree 2n overflow. Next to a curve whose distance is constant up to
 //   rounding over a long part it ends after 20,000 pieces, and `converged` is false. It is false, too, where a
-//   rational curve runs between neighbouring doubles t, as it does past weights that differ by many powers of two.
+//   rational curve runs between neighbouring doubles t, as it does past weights that differ by many powers of two, and
+//   next to a pole, where distances lose more than 23 bits.
 #pragma once
 
 #include <vector>
@@ -44,7 +45,8 @@ struct SubdivideHull {
     const auto offset = offset_of(curve, point);
     constexpr int axes = F == Form::rational ? Dimension + 1 : Dimension;
     const Binomials binomials(offset.degree());
-    Best best{0, offset.scaled_distance(0)};
+    Best best{0, std::numeric_limits<double>::infinity()};
+    best.take(0, offset.scaled_distance(0));
     best.take(1, offset.scaled_distance(1));
     std::vector<Piece<axes>> level{{offset.offsets(), 0, 0}};
     int judged = 0;
@@ -73,6 +75,8 @@ struct SubdivideHull {
       level = std::move(next);
     }
     best.t = polished(offset, best.t);
+    if constexpr (F == Form::rational)
+      is_known = is_known && 0x1p-53 * offset.degree() * offset.cancellation(best.t) <= 0x1p-30;
     return {best.t, offset.distance(best.t), judged, judged < max_pieces && is_known};
   }
 
@@ -146,7 +150,8 @@ struct SubdivideHull {
     double least = offset.is_positive() ? 1 : std::abs(piece.offset(Dimension, 0));
     for (int i = 0; i <= n && !offset.is_positive(); ++i) least = std::min(least, piece.offset(Dimension, i));
     const double roundings = 0x1p-53 * (Dimension + 1) * (5.0 * n + Dimension + 9);  // of a sum, over its magnitudes
-    const double moved = least > 0 ? 2 * Dimension * (piece.error + 0x1p-51) / least : 0;
+    const double moved = 2 * Dimension * (piece.error + 0x1p-51) / least;
+    if (!(least > 0 && moved <= 0x1p-20)) return true;  // next to a pole nothing is known of the piece
     const double nearer = std::max(0.0, best * (1 - 4 * roundings - moved) - moved * offset.largest_offset());
     for (int k = 0; k <= 2 * n; ++k) {
       double sum = 0;
