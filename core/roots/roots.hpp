@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The concept of a method for roots: `info`, and one function from the coefficients of a polynomial in Bernstein form
 // to its roots in [0, 1]. The polynomial is a coordinate of a curve minus a value; coefficients are differences, so
-// that each is off by u of itself, and 0 only where the difference is.
+// that each is off by u of itself and by underflow, and 0 only where the difference is.
 #pragma once
 
 #include <concepts>
@@ -12,7 +12,8 @@
 
 namespace bezierbench {
 
-/// [low, high] with one distinct root, if `certain`; otherwise it is not known how many roots it has.
+/// If `certain`, low < high and there is one distinct root between them, or low = high is the root itself. Otherwise it
+/// is not known how many roots there are in [low, high].
 struct RootEnclosure {
   double low;
   double high;
@@ -25,8 +26,8 @@ struct FoundRoots {
   std::int64_t evaluations = 0;           ///< triangles of de Casteljau: values and subdivisions
 };
 
-/// `find(b)` takes at least one finite coefficient below 2^1020. It is pure, and neither prints nor throws. A
-/// polynomial that is 0 everywhere has no answer that means anything.
+/// `find(b)` takes at least one coefficient, none of them above 2 in magnitude. It is pure, and neither prints nor
+/// throws. A polynomial that is 0 everywhere has no answer that means anything.
 template <class M>
 concept RootsMethod = requires(const std::vector<double>& b) {
   requires M::info.problem == Problem::roots;

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/evaluate/evaluation_test.hpp"
 #include "core/roots/kernel.hpp"
 #include "reference/companion/exact_roots.hpp"
 
@@ -224,6 +225,28 @@ TEST(Roots, AxesAndValues) {
     expect_roots(method.find(line, 0, 0.25), {0.25}, 0x1p-44, method.info->id);
     expect_roots(method.find(line, 1, 4), {0.5}, 0x1p-44, method.info->id);
     expect_roots(method.find(view(huge), 0, 0x1.2p1023), {0.875}, 0x1p-44, method.info->id);
+  }
+}
+
+/// The scale of a curve does not matter, and zeros at an end are divided out at every scale: by binomials that would
+/// make the largest doubles overflow.
+TEST(Roots, DoNotDependOnTheScale) {
+  Inputs inputs(31);
+  for (int trial = 0; trial < 60; ++trial) {
+    const int n = 1 + trial % 40;
+    auto b = inputs.coefficients(n, 1);
+    if (trial % 3 == 0) b.front() = 0;
+    if (trial % 3 == 1) b.back() = 0;
+    if (trial % 6 == 0 && n > 1) b[1] = 0;
+    for (const auto& method : roots_kernels()) {
+      if (!method.info->supports<double>(n)) continue;
+      const auto found = method.find(view(b), 0, 0);
+      for (const double scale : {0x1p-500, 0x1p+900, 0x1p+1023}) {
+        auto scaled = b;
+        for (double& x : scaled) x *= scale;
+        EXPECT_EQ(method.find(view(scaled), 0, 0).t, found.t) << method.info->id << " degree " << n;
+      }
+    }
   }
 }
 

@@ -54,6 +54,7 @@ void add_judged_rows(const CurveView<double>& curve, std::span<const RootsKernel
       add(number::decimal(answers[k]),
           root < truth.roots.size() ? number::decimal(std::abs(answers[k] - truth.roots[root].t)) : "", root);
     }
+    if (truth.everywhere && answers.empty()) add("", "", 0);
     for (std::size_t root = 0; root < truth.roots.size(); ++root)
       if (match.error[root] == std::numeric_limits<double>::infinity()) add("", "", root);
   }
