@@ -557,6 +557,16 @@ TEST(C, PointsAndPartsInFourAndFiveDimensions) {
   const bb_curve four{BB_BERNSTEIN, 4, 1, nullptr, nullptr};
   EXPECT_EQ(bb_curve_evaluate("de_casteljau", &six, parameters.data(), 1, points.data()), BB_ERROR_DIMENSION);
   EXPECT_EQ(bb_curve_evaluate("de_casteljau", &four, parameters.data(), 1, points.data()), BB_ERROR_NULL);
+  std::array<double, 8> bad{1, 1, 1, infinity, 1, 1, 1, 1};
+  std::array<double, 2> some_weights{77, 77};
+  const bb_half half{points.data(), some_weights.data()};
+  bb_curve curve{BB_RATIONAL, 4, 1, bad.data(), weights.data()};
+  EXPECT_EQ(bb_part(&curve, 0, 0.5, &half), BB_ERROR_NOT_FINITE);
+  EXPECT_EQ(bb_elevate(&curve, 1, &half), BB_ERROR_NOT_FINITE);
+  EXPECT_EQ(bb_split("de_casteljau_split", &curve, 0.5, &half, &half), BB_ERROR_NOT_FINITE);
+  EXPECT_EQ(some_weights, (std::array<double, 2>{77, 77}));
+  curve.degree = -5;
+  EXPECT_EQ(bb_split("de_casteljau_split", &curve, 0.5, &half, &half), BB_ERROR_DEGREE);
 }
 
 /// The curve that `make` makes, freed with the test.

@@ -32,17 +32,30 @@ void write(const std::optional<reference::RoundedControlPoints>& found, const bb
   std::ranges::copy(found->weights, to->weights);
 }
 
+/// Writes the control points of a curve of 4 or 5 axes, `degree` + 1 of them; `answer(some, to)` does those of some axes.
+template <class Answer>
+void write_by_axes(const bb_curve& curve, int degree, const bb_half* to, const Answer& answer) {
+  c::require_pointers(to);
+  c::require_pointers(to->points);
+  const bool rational = curve.form == BB_RATIONAL;
+  if (rational) c::require_pointers(to->weights);
+  std::vector<double> weights(static_cast<std::size_t>(degree) + 1);
+  c::by_axes(curve, weights.size(), to->points, [&](const bb_curve& some, double* of_some) {
+    const bb_half its_points{of_some, weights.data()};
+    return answer(some, its_points);
+  });
+  if (rational) std::ranges::copy(weights, to->weights);
+}
+
 }  // namespace
 
 int bb_part(const bb_curve* curve, double from, double to, const bb_half* part) {
   return c::guarded([&] {
     if (c::has_more_axes(curve)) {
-      c::require_pointers(part);
-      return c::by_axes(*curve, static_cast<std::size_t>(curve->degree) + 1, part->points,
-                        [&](const bb_curve& some, double* of_some) {
-                          const bb_half its_part{of_some, part->weights};
-                          return bb_part(&some, from, to, &its_part);
-                        });
+      c::require_shape(c::max_dimension, curve->degree);
+      return write_by_axes(*curve, curve->degree, part, [&](const bb_curve& some, const bb_half& its_part) {
+        return bb_part(&some, from, to, &its_part);
+      });
     }
     const auto view = with_control_points(curve);
     c::require(std::isfinite(from) && std::isfinite(to), BB_ERROR_NOT_FINITE);
@@ -54,13 +67,10 @@ int bb_part(const bb_curve* curve, double from, double to, const bb_half* part) 
 int bb_elevate(const bb_curve* curve, int degree, const bb_half* elevated) {
   return c::guarded([&] {
     if (c::has_more_axes(curve)) {
-      c::require_pointers(elevated);
       c::require(degree >= curve->degree && degree <= max_degree, BB_ERROR_DEGREE);
-      return c::by_axes(*curve, static_cast<std::size_t>(degree) + 1, elevated->points,
-                        [&](const bb_curve& some, double* of_some) {
-                          const bb_half its_points{of_some, elevated->weights};
-                          return bb_elevate(&some, degree, &its_points);
-                        });
+      return write_by_axes(*curve, degree, elevated, [&](const bb_curve& some, const bb_half& its_points) {
+        return bb_elevate(&some, degree, &its_points);
+      });
     }
     const auto view = with_control_points(curve);
     c::require(degree >= view.degree && degree <= max_degree, BB_ERROR_DEGREE);

@@ -45,16 +45,24 @@ int bb_grid(const char* method, const bb_curve* curve, int steps, double* out) {
 int bb_split(const char* method, const bb_curve* curve, double t, const bb_half* left, const bb_half* right) {
   return c::guarded([&] {
     if (c::has_more_axes(curve)) {
+      c::require_shape(c::max_dimension, curve->degree);
       c::require_pointers(left, right);
+      c::require_pointers(left->points, right->points);
       const auto rows = static_cast<std::size_t>(curve->degree) + 1;
+      std::vector<double> weights(2 * rows);
+      const bool rational = curve->form == BB_RATIONAL;
+      if (rational) c::require_pointers(left->weights, right->weights);
       std::vector<double> both(2 * rows * static_cast<std::size_t>(curve->dimension));
       c::by_axes(*curve, 2 * rows, both.data(), [&](const bb_curve& part, double* of_part) {
         const std::size_t half = rows * static_cast<std::size_t>(part.dimension);
-        const bb_half first{of_part, left->weights};
-        const bb_half second{of_part + half, right->weights};
+        const bb_half first{of_part, weights.data()};
+        const bb_half second{of_part + half, weights.data() + rows};
         return bb_split(method, &part, t, &first, &second);
       });
-      c::require_pointers(left->points, right->points);
+      if (rational) {
+        std::copy_n(weights.data(), rows, left->weights);
+        std::copy_n(weights.data() + rows, rows, right->weights);
+      }
       const auto middle = both.begin() + static_cast<std::ptrdiff_t>(both.size() / 2);
       std::copy(both.begin(), middle, left->points);
       std::copy(middle, both.end(), right->points);

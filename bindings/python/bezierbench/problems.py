@@ -133,8 +133,8 @@ ROOTS_OF = ("value", "extrema", "inflections")  # in the order of bb_roots_of
 def roots(points: ArrayLike, value: float = 0, *, axis: int = 0, of: str = "value", form: str = "bernstein",
           weights: ArrayLike | None = None) -> list[Root]:
     """All parameters in [0,1] at which coordinate `axis` is `value`, the true ones, ascending; with `of="extrema"` those at which its
-    derivative is 0, with `of="inflections"` those at which x'y'' = x''y' on a curve in the plane: an odd multiplicity is an inflection, an
-    even one a flat point or a cusp. Raises ValueError where every parameter is a root."""
+    derivative is 0, with `of="inflections"` those at which x'y'' = x''y' on a curve in the plane: an odd multiplicity at a point with
+    a tangent is an inflection, an even one a flat point; an ordinary cusp has 2. Raises ValueError where every parameter is a root."""
     curve = GivenCurve(points, form, weights)
     if of not in ROOTS_OF:
         raise ValueError(f"no {of!r}; use {', '.join(ROOTS_OF)}")

@@ -224,7 +224,7 @@ typedef enum bb_roots_of {
 } bb_roots_of;
 
 /* All true roots with their multiplicities, ascending, each rounded once; an odd multiplicity changes the sign.
- * Of BB_ROOTS_OF_CURVATURE it is an inflection, an even one a flat point or a cusp. *count
+ * Of BB_ROOTS_OF_CURVATURE it is an inflection at a point with a tangent, an even one a flat point; an ordinary cusp has 2. *count
  * becomes their number, SIZE_MAX where every t is one. Where this is at most `capacity` they are written; otherwise nothing
  * is, and both arrays may be null for capacity 0. A curve of degree n has at most n, 2n - 1 and 3n. `axis` and `value` mean
  * nothing where `of` does not name them. BB_ERROR_NO_POINT where a rational curve has a pole in [0, 1]. */
