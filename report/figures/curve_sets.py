@@ -15,10 +15,12 @@ STEPS, RANKS = 33, 200  # points of an outline and of a distribution
 
 
 def _curves(table):
-    """The control points and the weights, or None, of each curve that has control points and a size."""
+    """The control points and the weights, or None, of each curve that has control points in at least two axes and a size."""
     axes = [axis for axis in "xyz" if axis in table.columns]
     for rows in grouped(table.rows, "curve").values():
         given = [axis for axis in axes if rows[0][axis] is not None]
+        if len(given) < 2:
+            continue
         points = np.array([[row[axis] for axis in given] for row in rows if row[given[0]] is not None], dtype=float)
         weights = np.array([row["w"] for row in rows[:len(points)]]) if "w" in table.columns and rows[0]["w"] is not None else None
         if ("form" not in table.columns or rows[0]["form"] != "power") and np.ptp(points, axis=0).max() > 0:
@@ -45,7 +47,7 @@ def _outline(points, weights):
 def curves_of_sets(bundle):
     """A line for each set: on the left the share of curves that are nearer than a distance, on the right every so many-th curve."""
     sets = {name[len(PREFIX):-len(".csv")]: list(_curves(bundle[name])) for name in bundle.tables if name.startswith(PREFIX)}
-    sets = {name: curves for name, curves in sets.items() if curves and len(curves[0][0][0]) > 1}
+    sets = {name: curves for name, curves in sets.items() if curves}
     if not sets:
         raise Missing("the bundle keeps no curves with two axes")
     shown = dict(list(sets.items())[:MOST])
