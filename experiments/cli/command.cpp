@@ -160,6 +160,8 @@ Option Option::one_of(const std::vector<std::string>& words) {
 }
 
 Option Option::within(int least, int most) {
+  const auto otherwise = number::parse_integer(option_->get_default_str());
+  if (otherwise && (*otherwise < least || *otherwise > most)) option_->default_str("");  // stands for "not given"
   option_->check([least, most](const std::string& word) {
     const auto number = number::parse_integer(word);
     return number && *number >= least && *number <= most

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "core/bspline/kernel.hpp"
+#include "core/error_free.hpp"
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/metric/derivative_scale.hpp"
@@ -71,6 +72,13 @@ void say_useless_knots(const BsplineCurve& curve) {
   }
 }
 
+void require_order(const std::vector<double>& knots) {
+  const auto descent = std::ranges::is_sorted_until(knots);
+  if (descent != knots.end())
+    throw Failure(Exit::usage, "--knots: {} follows on {}; knots must not descend", number::decimal(*descent),
+                  number::decimal(*(descent - 1)));
+}
+
 /// Makes a closed curve of this degree of points and the knots of one period: its first points and spans follow again.
 void close(BsplineCurve& curve, int degree, std::size_t points, const std::string& file) {
   const auto n = static_cast<std::size_t>(degree);
@@ -80,11 +88,30 @@ void close(BsplineCurve& curve, int degree, std::size_t points, const std::strin
                   "at most {}",
                   degree, curve.knots.size(), points, file, points + 1, points);
   const auto one = curve.knots;
-  const double period = one.back() - one.front();
+  require_order(one);
+  bool is_exact = true;
+  const auto shifted = [&is_exact](double knot, double by) {
+    const auto sum = two_sum(knot, by);
+    is_exact = is_exact && sum.error == 0;
+    return sum.value;
+  };
+  const double period = shifted(one.back(), -one.front());
   for (std::size_t k = 1; k <= n; ++k) {
-    curve.knots.insert(curve.knots.begin(), one[points - k] - period);
-    curve.knots.push_back(one[k] + period);
+    curve.knots.insert(curve.knots.begin(), shifted(one[points - k], -period));
+    curve.knots.push_back(shifted(one[k], period));
   }
+  const auto is_finite = [](double knot) { return std::isfinite(knot); };
+  if (!std::ranges::all_of(curve.knots, is_finite) || !std::ranges::is_sorted(curve.knots))
+    throw Failure(Exit::usage,
+                  "--closed {}: the knots of other periods exceed the largest double, or do not ascend after rounding; "
+                  "write knots nearer to 0, and farther from each other",
+                  degree);
+  if (!is_exact)
+    fmt::print(
+        stderr,
+        "bezierbench: --closed {}: the knots of other periods are rounded, so that the ends of the curve may not "
+        "meet exactly; with integers as knots they meet\n",
+        degree);
   const auto repeat = [n](std::vector<double>& numbers, std::size_t each) {
     for (std::size_t k = 0; k < n * each; ++k) numbers.push_back(numbers[k]);
   };
@@ -119,10 +146,7 @@ BsplineCurve curve_of(const BsplineOptions& options) {
                   "write {} to {}",
                   curve.knots.size(), points, options.points, points + 2, 2 * points);
   curve.degree = static_cast<int>(curve.knots.size() - points) - 1;
-  const auto descent = std::ranges::is_sorted_until(curve.knots);
-  if (descent != curve.knots.end())
-    throw Failure(Exit::usage, "--knots: {} follows on {}; knots must not descend", number::decimal(*descent),
-                  number::decimal(*(descent - 1)));
+  require_order(curve.knots);
   if (!(curve.begin() < curve.end()))
     throw Failure(Exit::usage, "--knots: the curve begins and ends at {}; there is no span that is not empty",
                   number::decimal(curve.begin()));
@@ -293,8 +317,10 @@ MadeCurve part_of(const BsplineCurve& curve, const BsplineOptions& options) {
   const double from = bound("--from", options.from, curve.begin());
   const double to = bound("--to", options.to, curve.end());
   if (!(from < to))
-    throw Failure(Exit::usage, "--from {}: the part ends at {}; write --from below --to", number::decimal(from),
-                  number::decimal(to));
+    throw options.from
+        ? Failure(Exit::usage, "--from {}: the part ends at {}; write a number below", number::decimal(from),
+                  number::decimal(to))
+        : Failure(Exit::usage, "--to {}: the curve begins there; write a number above", number::decimal(to));
   return reference::part_of_bspline(curve, from, to);
 }
 

@@ -61,6 +61,16 @@ class Bspline(Case):
         spans = rows(self.fine(*closed, "0,1,2,3,4", "--control-points"))
         self.assertEqual([(float(row["x"]), float(row["y"])) for row in spans][:4], [(1, 0), (2, 0), (2, 1), (2, 1)])
         self.refused(USAGE, [*closed, "0,1,2,3", "--t", "1"], "4 knots for the 4 points in s.csv", "write 5 knots")
+        self.refused(USAGE, [*closed, "4,3,2,1,0", "--t", "1"], "--knots: 3 follows on 4")
+        for knots in ("-1e308,0,1,2,1e308", "1.2e308,1.3e308,1.4e308,1.5e308,1.7e308", "-1e-17,0.1,0.2,1,1"):
+            self.refused(USAGE, [*closed, knots, "--control-points"], "--closed 2", "exceed the largest double, or do not ascend", "nearer to 0")
+        self.assertEqual(self.run_program(*closed, "0,1,2,3,4", "--t", "1").stderr, b"")
+        said = self.run_program(*closed, "0,0.1,0.2,0.3,0.7", "--t", "0")
+        self.assertEqual((said.returncode, said.stderr.count(b"\n")), (0, 1))
+        self.assertIn(b"--closed 2: the knots of other periods are rounded", said.stderr)
+
+    def test_no_default_is_shown_that_is_refused(self):
+        self.assertNotIn("default 0", self.fine("curve", "bspline", "--help"))
 
     def test_nurbs_circle(self):
         """[Piegl and Tiller 1997], section 7.5: a circle of four quadratic spans, of nine points. The weights 1, 1, 2 of one span are exact."""
@@ -112,7 +122,7 @@ class Bspline(Case):
                 (["--insert", "1"], "--knots-out is required"), (["--insert", "1", "--insert", "1"], "stand 3 times", "leave 1 of them out"),
                 (["--insert", "0"], "stand 4 times"), (["--insert", "3"], "defined from 0 to 2"), (["--remove", "0"], "stands 0 times"),
                 (["--remove", "1", "--remove", "1"], "stands 1 times"), (["--derivative", "2"], "degree 2", "lower"),
-                (["--elevate-to", "1"], "degree 2", "higher"), (["--from", "2"], "ends at 2"), (["--insert", "1", "--to", "1"], "write one of them"),
+                (["--elevate-to", "1"], "degree 2", "higher"), (["--from", "2"], "--from 2", "ends at 2"), (["--to", "0"], "--to 0", "begins there"), (["--insert", "1", "--to", "1"], "write one of them"),
                 (["--to", "1", "--t", "1"], "write one of them"), (["--t", "1", "--tolerance", "1"], "goes with --remove")):
             with self.subTest(arguments=arguments):
                 knots_out = [] if needles[0].startswith("--knots-out") else ["--knots-out", "k.txt"]
