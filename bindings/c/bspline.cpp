@@ -177,7 +177,7 @@ int bb_bspline_remove(const bb_bspline* given, const double* knots, std::size_t 
 
 int bb_bspline_elevate(const bb_bspline* given, int degree, bb_bspline_made** made) {
   return made_curve(given, made, [&](const BsplineCurve& curve) {
-    c::require(degree >= curve.degree && degree <= max_degree, BB_ERROR_DEGREE);
+    c::require(degree >= curve.degree && degree <= reference::max_elevated_bspline_degree, BB_ERROR_DEGREE);
     return reference::elevated_bspline(curve, degree);
   });
 }

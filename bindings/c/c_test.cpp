@@ -644,6 +644,7 @@ TEST(C, BsplineCurvesThatAreRefused) {
   EXPECT_EQ(bb_bspline_remove(&line, knots.data(), 1, &to, &value), BB_ERROR_COUNT);
   EXPECT_EQ(bb_bspline_remove(&line, once.data(), 1, &to, nullptr), BB_ERROR_NULL);
   EXPECT_EQ(bb_bspline_elevate(&line, 0, &to), BB_ERROR_DEGREE);
+  EXPECT_EQ(bb_bspline_elevate(&line, 65, &to), BB_ERROR_DEGREE);  // documented: at most 64
   EXPECT_EQ(bb_bspline_part(&line, 1, 1, &to), BB_ERROR_PARAMETER);
   EXPECT_EQ(bb_bspline_part(&line, 0, 1, nullptr), BB_ERROR_NULL);
   EXPECT_EQ(bb_bspline_derivative(&line, 1, &to), BB_ERROR_PARAMETER);

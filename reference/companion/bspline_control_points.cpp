@@ -162,6 +162,19 @@ mpq_class length_upwards(const Homogeneous& vector, std::size_t dimension) {
   return result;
 }
 
+/// The diagonal of a box of control points, rounded upwards.
+mpq_class diagonal(const std::vector<Homogeneous>& points, std::size_t dimension) {
+  Homogeneous edges;
+  for (std::size_t axis = 0; axis < dimension; ++axis) {
+    const auto coordinate = [&](const Homogeneous& point) {
+      return point.size() > dimension ? mpq_class(point[axis] / point.back()) : point[axis];
+    };
+    const auto [low, high] = std::ranges::minmax(points, {}, coordinate);
+    edges.emplace_back(coordinate(high) - coordinate(low));
+  }
+  return length_upwards(edges, dimension);
+}
+
 /// How far the points of `other` are at most from those of `curve` at the same t: two curves over the same knots.
 ///
 /// With numerators A, A' and weights w, w' of the two, C = A / w, and sum (A_i - w_i C) N_i = 0 at every t,
@@ -169,18 +182,13 @@ mpq_class length_upwards(const Homogeneous& vector, std::size_t dimension) {
 /// where |d_i - C| is at most the diagonal of a box of all control points. For polynomial curves it is |d'_i - d_i|.
 mpq_class largest_distance(const ExactBspline& curve, const ExactBspline& other, std::size_t dimension) {
   const bool is_rational = curve.points.front().size() > dimension;
-  Homogeneous diagonal(dimension);
   mpq_class least_weight = 1;
+  mpq_class across = 0;
   if (is_rational) {
     least_weight = other.points.front().back();
     for (const auto& point : other.points) least_weight = std::min(least_weight, point.back());
-    for (std::size_t axis = 0; axis < dimension; ++axis) {
-      const auto coordinate = [axis](const Homogeneous& point) { return mpq_class(point[axis] / point.back()); };
-      const auto [low, high] = std::ranges::minmax(curve.points, {}, coordinate);
-      diagonal[axis] = coordinate(high) - coordinate(low);
-    }
+    across = diagonal(curve.points, dimension);
   }
-  const mpq_class across = length_upwards(diagonal, dimension);
   mpq_class largest = 0;
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     Homogeneous difference;
@@ -257,16 +265,26 @@ BsplineCurve derivative_of_bspline(const BsplineCurve& curve, int order) {
 }
 
 std::optional<KnotRemoval> with_knots_removed(const BsplineCurve& curve, std::span<const double> knots) {
-  auto exact = exact_bspline(curve);
+  const auto given = exact_bspline(curve);
+  auto exact = given;
+  const auto dimension = static_cast<std::size_t>(curve.dimension);
   mpq_class deviation = 0;
   for (const double knot : knots) {
     auto less = without_knot(exact, knot);
     if (!has_positive_weights(less, curve.dimension)) return std::nullopt;
-    deviation +=
-        largest_distance(exact, over_knots(less, less.n, exact.knots), static_cast<std::size_t>(curve.dimension));
+    deviation += largest_distance(exact, over_knots(less, less.n, exact.knots), dimension);
     exact = std::move(less);
   }
-  return KnotRemoval{*rounded_bspline(exact, curve.dimension), rounded_up(deviation)};
+  auto result = *rounded_bspline(exact, curve.dimension);
+  if (deviation == 0) return KnotRemoval{std::move(result), 0};
+  const auto is_finite = [](double x) { return std::isfinite(x); };
+  if (!std::ranges::all_of(result.control_points, is_finite) || !std::ranges::all_of(result.weights, is_finite))
+    return KnotRemoval{std::move(result), std::numeric_limits<double>::infinity()};
+  const auto rounded = exact_bspline(result);
+  deviation += largest_distance(exact, rounded, dimension);
+  auto both = given.points;
+  both.insert(both.end(), rounded.points.begin(), rounded.points.end());
+  return KnotRemoval{std::move(result), rounded_up(std::min(deviation, diagonal(both, dimension)))};
 }
 
 }  // namespace bezierbench::reference

@@ -28,7 +28,12 @@ std::optional<BsplineCurve> with_knots_inserted(const BsplineCurve& curve, std::
 /// Parts that meet where the curve is continuous share that point to the bit.
 std::optional<BsplineCurve> part_of_bspline(const BsplineCurve& curve, double from, double to);
 
-/// In `degree`, at least that of the curve; each knot stands as many times more.
+/// The highest degree to elevate to: time grows with its fourth power and with the spans, of which this one takes about
+/// a second each.
+inline constexpr int max_elevated_bspline_degree = 64;
+
+/// In `degree`, at least that of the curve and at most max_elevated_bspline_degree; each knot stands as many times
+/// more.
 std::optional<BsplineCurve> elevated_bspline(const BsplineCurve& curve, int degree);
 
 /// The derivative of this order, 0 to degree - 1, of a polynomial curve. Control points of the first order are
@@ -38,8 +43,10 @@ BsplineCurve derivative_of_bspline(const BsplineCurve& curve, int order);
 
 struct KnotRemoval {
   BsplineCurve curve;
-  /// No point at any t moves farther, before the control points are rounded; itself rounded up. 0 if and only if the
-  /// knots can be removed without a change of the curve (of a rational one: of its numerators and its weights).
+  /// No point at any t moves farther, rounding of the control points included; itself rounded up. 0 if and only if the
+  /// knots can be removed without a change of the curve (of a rational one that is not a single point: of its
+  /// numerators and its weights): then the control points are the true ones, each coordinate rounded once, and that is
+  /// not counted. Infinite where a control point overflows.
   double deviation;
 };
 
@@ -47,7 +54,7 @@ struct KnotRemoval {
 /// less. New control points between those that stay are the blossoms of the piece before the knot in the first half,
 /// and of the piece behind it in the second one, as in [Piegl and Tiller 1997], section 5.4. The deviation is the
 /// largest distance of a control point after the knot is inserted again, for a curve is nearer to another one than
-/// their control points over the same knots.
+/// their control points over the same knots; but at most the diagonal of a box of the control points of both curves.
 std::optional<KnotRemoval> with_knots_removed(const BsplineCurve& curve, std::span<const double> knots);
 
 }  // namespace bezierbench::reference

@@ -335,6 +335,10 @@ MadeCurve derivative_of(const BsplineCurve& curve, int order) {
 }
 
 MadeCurve elevated(const BsplineCurve& curve, int degree) {
+  if (curve.degree > reference::max_elevated_bspline_degree)
+    throw Failure(Exit::usage,
+                  "--elevate-to: the curve has degree {}, and only {} and less can be elevated; leave it out",
+                  curve.degree, reference::max_elevated_bspline_degree);
   if (degree < curve.degree)
     throw Failure(Exit::usage, "--elevate-to {}: the curve has degree {}; write that or a higher one", degree,
                   curve.degree);
@@ -435,7 +439,10 @@ void add_bspline(Command command) {
       .takes("U");
   command.option("--tolerance", options->tolerance, "with --remove; 0 where it is left out: the curve stays the same")
       .takes("DISTANCE");
-  command.option("--elevate-to", options->elevate_to, "print the curve in this degree").within(1, max_degree);
+  command
+      .option("--elevate-to", options->elevate_to,
+              fmt::format("print the curve in this degree, at most {}", reference::max_elevated_bspline_degree))
+      .within(1, reference::max_elevated_bspline_degree);
   command.option("--derivative", options->derivative, "print the derivative of this order, of a curve without weights")
       .within(1);
   command.option("--from", options->from, "print the part from this parameter, else from where the curve begins")

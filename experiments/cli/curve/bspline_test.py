@@ -122,11 +122,14 @@ class Bspline(Case):
                 (["--insert", "1"], "--knots-out is required"), (["--insert", "1", "--insert", "1"], "stand 3 times", "leave 1 of them out"),
                 (["--insert", "0"], "stand 4 times"), (["--insert", "3"], "defined from 0 to 2"), (["--remove", "0"], "stands 0 times"),
                 (["--remove", "1", "--remove", "1"], "stands 1 times"), (["--derivative", "2"], "degree 2", "lower"),
-                (["--elevate-to", "1"], "degree 2", "higher"), (["--from", "2"], "--from 2", "ends at 2"), (["--to", "0"], "--to 0", "begins there"), (["--insert", "1", "--to", "1"], "write one of them"),
+                (["--elevate-to", "1"], "degree 2", "higher"), (["--elevate-to", "65"], "from 1 to 64"), (["--from", "2"], "--from 2", "ends at 2"), (["--to", "0"], "--to 0", "begins there"), (["--insert", "1", "--to", "1"], "write one of them"),
                 (["--to", "1", "--t", "1"], "write one of them"), (["--t", "1", "--tolerance", "1"], "goes with --remove")):
             with self.subTest(arguments=arguments):
                 knots_out = [] if needles[0].startswith("--knots-out") else ["--knots-out", "k.txt"]
                 self.refused(USAGE, [*curve, "d.csv", *arguments, *knots_out], *needles)
+        self.write("high.csv", "x\n" + "1\n" * 66)
+        self.refused(USAGE, ["curve", "bspline", "--points", "high.csv", "--knots", ",".join("0" * 66 + "1" * 66), "--elevate-to", "64",
+                             "--knots-out", "k.txt"], "degree 65", "64 and less")
         self.refused(USAGE, [*curve, "w.csv", "--derivative", "1", "--knots-out", "k.txt"], "rational")
         self.refused(USAGE, [*curve, "w.csv", "--weights", "1,1,1,1", "--t", "1"], "column w")
         self.write("w.csv", "x,y,w\n0,8,1\n3,4,0\n4,-4,0.5\n0,0,1\n")

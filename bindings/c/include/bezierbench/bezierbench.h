@@ -395,11 +395,11 @@ typedef struct bb_bspline_made bb_bspline_made;
 /* With `count` knots more, from the begin of the curve to its end; at an end they clamp it. BB_ERROR_COUNT where a knot would
  * stand more than `degree` times, or degree + 1 times at an end. */
 BB_API int bb_bspline_insert(const bb_bspline* curve, const double* knots, size_t count, bb_bspline_made** made);
-/* Without `count` knots between the ends; BB_ERROR_COUNT where there are fewer. No point moves farther than *deviation before
- * the control points are rounded: 0 where the knots have no effect. */
+/* Without `count` knots between the ends; BB_ERROR_COUNT where there are fewer. No point moves farther than *deviation, roundings
+ * included: 0 where the knots have no effect, and coordinates are the true ones rounded once; infinite where it overflows. */
 BB_API int bb_bspline_remove(const bb_bspline* curve, const double* knots, size_t count, bb_bspline_made** made,
                              double* deviation);
-/* In a degree at least that of the curve. */
+/* In a degree at least that of the curve and at most 64, otherwise BB_ERROR_DEGREE: time grows with its fourth power. */
 BB_API int bb_bspline_elevate(const bb_bspline* curve, int degree, bb_bspline_made** made);
 /* The part over t in [from, to] of the curve, from < to, clamped. */
 BB_API int bb_bspline_part(const bb_bspline* curve, double from, double to, bb_bspline_made** made);
