@@ -25,14 +25,14 @@ constexpr std::string_view temporary_prefix = ".bezierbench-";
 constexpr std::string_view temporary_suffix = ".tmp";
 
 [[noreturn]] void fail(const fs::path& path, std::string_view what, int error, std::string_view advice) {
-  throw Failure(Exit::input_output, "{}: cannot be {}: {}; {}", path.string(), what,
+  throw Failure(Exit::input_output, "{}: cannot be {}: {}; {}", path.empty() ? "\"\"" : path.string(), what,
                 std::generic_category().message(error), advice);
 }
 
-[[noreturn]] void fail_write(const fs::path& path, int error) {
+[[noreturn]] void fail_write(const fs::path& path, int error, std::string_view option) {
   const bool is_full = error == ENOSPC || error == EDQUOT || error == EFBIG;
   fail(path, "written", error,
-       is_full ? "free space or choose another --out" : "check the path or choose another --out");
+       fmt::format("{} or choose another {}", is_full ? "free space" : "check the path", option));
 }
 
 [[noreturn]] void fail_read(const fs::path& path, int error) {
@@ -60,8 +60,8 @@ void sync_folder(const fs::path& folder) {
   ::close(descriptor);
 }
 
-// Replaces the file `target` by `bytes`. Error messages name `path`, which the user gave.
-void replace(const fs::path& path, const fs::path& target, std::string_view bytes) {
+// Replaces the file `target` by `bytes`. Error messages name `path`, which the user gave by `option`.
+void replace(const fs::path& path, const fs::path& target, std::string_view bytes, std::string_view option) {
   static std::atomic<unsigned long> count{0};
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   fs::path name;
@@ -70,35 +70,35 @@ void replace(const fs::path& path, const fs::path& target, std::string_view byte
     name = folder / fmt::format("{}{}-{}{}", temporary_prefix, ::getpid(), count++, temporary_suffix);
     file.reset(std::fopen(name.c_str(), "wxe"));
   } while (!file && errno == EEXIST);
-  if (!file) fail_write(path, errno);
+  if (!file) fail_write(path, errno, option);
   int error = write_all(std::move(file), bytes, true);
   if (error == 0 && ::rename(name.c_str(), target.c_str()) == -1) error = errno;
   if (error != 0) {
     ::unlink(name.c_str());
-    fail_write(path, error);
+    fail_write(path, error, option);
   }
   sync_folder(folder);
 }
 
 }  // namespace
 
-void write_file(const fs::path& path, std::string_view bytes) {
+void write_file(const fs::path& path, std::string_view bytes, std::string_view option) {
   // A rename over /dev/null, or over a link into another folder, would destroy what the user meant to write to.
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::is_character_file(status) || fs::is_fifo(status)) {
     File file(std::fopen(path.c_str(), "we"));
-    if (const int failed = file ? write_all(std::move(file), bytes, false) : errno) fail_write(path, failed);
+    if (const int failed = file ? write_all(std::move(file), bytes, false) : errno) fail_write(path, failed, option);
     return;
   }
-  if (fs::is_directory(status)) fail_write(path, EISDIR);
-  if (fs::exists(status) && !fs::is_regular_file(status)) fail_write(path, EINVAL);
+  if (fs::is_directory(status)) fail_write(path, EISDIR, option);
+  if (fs::exists(status) && !fs::is_regular_file(status)) fail_write(path, EINVAL, option);
   fs::path target = path;
   if (fs::is_symlink(fs::symlink_status(path, error))) {
     target = fs::weakly_canonical(path, error);
-    if (error) fail_write(path, error.value());
+    if (error) fail_write(path, error.value(), option);
   }
-  replace(path, target, bytes);
+  replace(path, target, bytes, option);
 }
 
 std::string read_file(const fs::path& path) {
@@ -119,7 +119,7 @@ std::string read_bundle_file(const fs::path& path) {
   return read_file(path);
 }
 
-void write_bundle_file(const fs::path& path, std::string_view bytes) { replace(path, path, bytes); }
+void write_bundle_file(const fs::path& path, std::string_view bytes) { replace(path, path, bytes, "--out"); }
 
 void ignore_file_size_signal() { std::signal(SIGXFSZ, SIG_IGN); }
 

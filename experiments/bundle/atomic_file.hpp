@@ -10,9 +10,9 @@ namespace bezierbench::bundle {
 
 /// Replaces `path` by `bytes`: temporary file beside it, write, fsync, rename, fsync of the folder where it can. A
 /// symbolic link is followed; a pipe or character device (/dev/stdout) is written directly. Safe from several threads
-/// and processes. Throws Failure(Exit::input_output) with one line; then the old file is untouched and the temporary
-/// file removed.
-void write_file(const std::filesystem::path& path, std::string_view bytes);
+/// and processes. Throws Failure(Exit::input_output) with one line, which names the `option` that gave the path; then
+/// the old file is untouched and the temporary file removed.
+void write_file(const std::filesystem::path& path, std::string_view bytes, std::string_view option = "--out");
 
 /// All bytes of a file. Throws Failure(Exit::input_output) with one line.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);

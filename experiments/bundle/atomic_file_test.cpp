@@ -72,6 +72,8 @@ TEST(AtomicFile, ReplacementIsANewFileSoThatAnOpenReaderKeepsTheOldOne) {
 TEST(AtomicFile, FullDeviceIsReportedInOneLine) {
   EXPECT_EQ(line_of([] { write_file("/dev/full", "x"); }),
             "/dev/full: cannot be written: No space left on device; free space or choose another --out");
+  EXPECT_EQ(line_of([] { write_file("/dev/full", "x", "--knots-out"); }),
+            "/dev/full: cannot be written: No space left on device; free space or choose another --knots-out");
   EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 

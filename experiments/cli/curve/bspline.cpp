@@ -47,7 +47,12 @@ struct BsplineOptions {
 /// The numbers of an option: separated by commas or, in a file that it names, by commas, blanks or line ends.
 std::vector<double> numbers_of(const std::string& option, const std::string& text) {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(text, ignored)) return finite_numbers(option, text);
+  if (!std::filesystem::is_regular_file(text, ignored)) {
+    if (text.find(',') == std::string::npos && !number::parse_number(text))
+      throw Failure(Exit::usage, "{} {}: is neither a file nor numbers separated by commas; write either", option,
+                    echo(text));
+    return finite_numbers(option, text);
+  }
   constexpr std::string_view separators = ", \t\r\n";
   const auto contents = contents_of(text);
   std::vector<double> numbers;
@@ -279,10 +284,11 @@ MadeCurve with_knots_inserted(const BsplineCurve& curve, const BsplineOptions& o
   const auto knots = knots_within("--insert", options.insert, curve);
   for (const double u : knots) {
     const auto most = curve.degree + (u == curve.begin() || u == curve.end() ? 1 : 0);
-    const auto count = std::ranges::count(curve.knots, u) + std::ranges::count(knots, u);
+    const auto given = std::ranges::count(knots, u);
+    const auto count = std::ranges::count(curve.knots, u) + given;
     if (count > most)
       throw Failure(Exit::usage, "--insert {}: the knot would stand {} times; leave {} of them out", number::decimal(u),
-                    count, count - most);
+                    count, std::min(given, count - most));
   }
   return reference::with_knots_inserted(curve, knots);
 }
@@ -299,8 +305,13 @@ MadeCurve with_knots_removed(const BsplineCurve& curve, const BsplineOptions& op
           number::decimal(u), count);
   }
   const double tolerance = options.tolerance ? finite_option("--tolerance", *options.tolerance) : 0;
+  if (tolerance < 0)
+    throw Failure(Exit::usage, "--tolerance {}: is a distance; write 0 or more", number::decimal(tolerance));
   auto removed = reference::with_knots_removed(curve, knots);
   if (!removed) return std::nullopt;
+  if (std::isinf(removed->deviation))
+    throw Failure(Exit::input_output,
+                  "--remove: how far a point might move exceeds the largest double; scale the coordinates down");
   const auto deviation = number::decimal(removed->deviation);
   if (removed->deviation > tolerance)
     throw Failure(Exit::finding, "--remove: a point of the curve might move by {}; write --tolerance {} to allow it",
@@ -352,6 +363,8 @@ void make_curve(const BsplineCurve& curve, const BsplineOptions& options) {
         Exit::usage,
         "--insert, --remove, --elevate-to, --derivative and --from with --to each print another curve, without "
         "--t, --method and --control-points; write one of them, and read its result again");
+  if (options.tolerance && options.remove.empty())
+    throw Failure(Exit::usage, "--tolerance goes with --remove; leave it out");
   if (!options.knots_out)
     throw Failure(Exit::usage,
                   "--knots-out is required: the file for the knots of the curve that is printed; give one");
@@ -380,7 +393,7 @@ void make_curve(const BsplineCurve& curve, const BsplineOptions& options) {
   }
   std::string knots;
   for (const double knot : made->knots) knots += number::decimal(knot) + "\n";
-  bundle::write_file(*options.knots_out, knots);
+  bundle::write_file(*options.knots_out, knots, "--knots-out");
   fmt::print("{}", table.text());
 }
 

@@ -7,7 +7,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from program_case import EVAL_COLUMNS, FINDING, USAGE, Case, rows  # noqa: E402
+from program_case import EVAL_COLUMNS, FINDING, INPUT_OUTPUT, USAGE, Case, rows  # noqa: E402
 
 CLAMPED = "0,0,0,1,2,2,2"
 
@@ -123,10 +123,22 @@ class Bspline(Case):
                 (["--insert", "0"], "stand 4 times"), (["--insert", "3"], "defined from 0 to 2"), (["--remove", "0"], "stands 0 times"),
                 (["--remove", "1", "--remove", "1"], "stands 1 times"), (["--derivative", "2"], "degree 2", "lower"),
                 (["--elevate-to", "1"], "degree 2", "higher"), (["--elevate-to", "65"], "from 1 to 64"), (["--from", "2"], "--from 2", "ends at 2"), (["--to", "0"], "--to 0", "begins there"), (["--insert", "1", "--to", "1"], "write one of them"),
-                (["--to", "1", "--t", "1"], "write one of them"), (["--t", "1", "--tolerance", "1"], "goes with --remove")):
+                (["--to", "1", "--t", "1"], "write one of them"), (["--t", "1", "--tolerance", "1"], "goes with --remove"),
+                (["--insert", "1", "--tolerance", "1"], "--tolerance goes with --remove"), (["--to", "1", "--tolerance", "1"], "--tolerance goes with --remove"),
+                (["--remove", "1", "--tolerance", "-1"], "--tolerance -1", "0 or more")):
             with self.subTest(arguments=arguments):
                 knots_out = [] if needles[0].startswith("--knots-out") else ["--knots-out", "k.txt"]
                 self.refused(USAGE, [*curve, "d.csv", *arguments, *knots_out], *needles)
+        self.write("l.csv", "x\n1\n2\n3\n4\n")
+        self.refused(USAGE, ["curve", "bspline", "--points", "l.csv", "--knots", "0,0,1,1,2,2", "--insert", "1", "--knots-out", "k.txt"],
+                     "would stand 3 times", "leave 1 of them out")
+        self.write("far.csv", "x,y\n1e308,1e308\n-1.7e308,-1.7e308\n1e308,1e308\n")
+        self.refused(INPUT_OUTPUT, ["curve", "bspline", "--points", "far.csv", "--knots", "0,0,1,2,2", "--remove", "1", "--knots-out", "k.txt"],
+                     "exceeds the largest double", "scale the coordinates down")
+        for name in ("/absent/k.txt", ""):
+            self.refused(INPUT_OUTPUT, [*curve, "d.csv", "--insert", "0.5", "--knots-out", name], (name or '""') + ": cannot be written", "another --knots-out")
+        self.refused(USAGE, ["curve", "bspline", "--points", "d.csv", "--knots", "missing.txt", "--t", "1"],
+                     "--knots missing.txt", "neither a file nor numbers separated by commas")
         self.write("high.csv", "x\n" + "1\n" * 66)
         self.refused(USAGE, ["curve", "bspline", "--points", "high.csv", "--knots", ",".join("0" * 66 + "1" * 66), "--elevate-to", "64",
                              "--knots-out", "k.txt"], "degree 65", "64 and less")
