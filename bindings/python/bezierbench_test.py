@@ -413,10 +413,18 @@ class Problems(unittest.TestCase):
         quarter = bezierbench.Bspline([[1, 0], [1, 1], [0, 1]], [0, 0, 0, 1, 1, 1], [1, 1, 2])
         self.assertEqual(quarter(0.5).tolist(), [0.6, 0.8])
         self.assertEqual(quarter.elevate(3).weights.tolist(), [1, 1, 4 / 3, 2])
-        for call in (lambda: curve(5), lambda: curve.insert(3, 3), lambda: quarter.derivative(), lambda: curve.part(3, 3), lambda: curve.elevate(1),
-                     lambda: bezierbench.Bspline([0, 1], [0, 0, 0]), lambda: bezierbench.Bspline([0, 1], [0, 1, 0, 1]),
-                     lambda: bezierbench.Bspline([0, 1], [0, 0, 1, 1], [1, -1])):
-            with self.assertRaises(ValueError):
+        self.assertEqual(bezierbench.Bspline([0, 64], [0, 0, 1, 1]).elevate(64).points.ravel().tolist(), list(range(65)))
+        for call, words in ((lambda: curve(5), "outside of the domain"), (lambda: curve.insert(3, 3), "knot 3 would stand 3 times; leave 1 of"),
+                            (lambda: clamped.insert(2), "knot 2 would stand 4 times"), (lambda: curve.remove(2.5), "knot 2.5 stands 0 times"),
+                            (lambda: curve.remove(2), "stands 0 times between the ends"), (lambda: curve.remove(3, 3), "stands 1 times"),
+                            (lambda: curve.remove(3, tolerance=-1), "tolerance is -1; give"), (lambda: quarter.derivative(), "with weights"),
+                            (lambda: curve.derivative(2), "from 0 to 1"), (lambda: curve.part(3, 3), "start below stop"),
+                            (lambda: curve.elevate(1), "curve, 2, to 64"), (lambda: curve.elevate(65), "curve, 2, to 64"),
+                            (lambda: bezierbench.Bspline([0, 1], [0, 0, 0]), "give 4 to 4"), (lambda: bezierbench.Bspline([0, 1], [0, 1, 0, 1]), "knots descend"),
+                            (lambda: bezierbench.Bspline([0, 1], [0, 1, 1, 1]), "begins and ends at 1"),
+                            (lambda: bezierbench.Bspline([0, 1], [0, 0, 1, 1], [1, 0]), "weight is not above 0"),
+                            (lambda: bezierbench.Bspline([0, 1], [0, 0, 1, 1], [1, np.nan]), "NaN or infinite|not finite")):
+            with self.subTest(words=words), self.assertRaisesRegex(ValueError, words):
                 call()
 
     def test_roots_have_multiplicities(self):
