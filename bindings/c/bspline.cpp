@@ -84,10 +84,9 @@ BsplineCurve in_spans(const BsplineCurve& curve) {
   for (auto k = static_cast<std::size_t>(curve.degree); k <= curve.points(); ++k) {
     const double u = curve.knots[k];
     if (k < curve.points() && curve.knots[k + 1] == u) continue;  // the last time that it stands
-    missing.resize(
-        missing.size() + static_cast<std::size_t>(std::max<std::ptrdiff_t>(
-                             most_times(curve, u) - std::ranges::ssize(std::ranges::equal_range(curve.knots, u)), 0)),
-        u);
+    missing.resize(missing.size() + static_cast<std::size_t>(std::max<std::ptrdiff_t>(
+                                        most_times(curve, u) - std::ranges::count(curve.knots, u), 0)),
+                   u);
   }
   return checked(reference::with_knots_inserted(curve, missing));
 }

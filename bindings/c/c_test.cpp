@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The C interface against the definitions and the reference, and everything that it must refuse.
 #include <bezierbench/bezierbench.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>

@@ -131,7 +131,7 @@ ExactBspline differentiated(const ExactBspline& curve) {
 
 /// The curve without the last knot at u, between its ends.
 ExactBspline without_knot(const ExactBspline& curve, double u) {
-  const auto [low, high] = std::ranges::equal_range(curve.knots, u);
+  const auto [low, high] = std::equal_range(curve.knots.begin(), curve.knots.end(), u);
   assert(low != high && u > curve.begin() && u < curve.end());
   const std::size_t n = curve.n;
   const auto left = static_cast<std::size_t>(low - curve.knots.begin()) - 1;    // the span before u
