@@ -56,19 +56,10 @@ struct Halving {
   template <int Axes, int Degree>
   static void add(const Curve<Form::bernstein, double, Axes, Degree>& piece, double from, double to, int depth,
                   double tolerance, Flattening& chords) {
-    const auto seen = [&piece] {
-      if constexpr (F == Form::rational)
-        return over_last_axis(piece);
-      else
-        return piece;
-    }();
-    const bool flat = is_flat(seen, tolerance);
+    const bool flat = is_flat(piece, tolerance);
     if (flat || depth == deepest) {
       chords.complete = chords.complete && flat;
-      if constexpr (F == Form::rational)
-        chords.add(to, control_point(seen.points, seen.degree()));
-      else
-        chords.add(to, control_point(seen, seen.degree()));
+      chords.add(to, last_point(piece));
       return;
     }
     ++chords.evaluations;
@@ -78,13 +69,26 @@ struct Halving {
     add(halves.right, middle, to, depth + 1, tolerance, chords);
   }
 
-  template <int Dimension, int Degree>
-  static bool is_flat(const Curve<Form::bernstein, double, Dimension, Degree>& piece, double tolerance) {
-    return Criterion::is_flat(piece, tolerance);
+  template <int Axes, int Degree>
+  static bool is_flat(const Curve<Form::bernstein, double, Axes, Degree>& piece, double tolerance) {
+    if constexpr (F == Form::rational) {
+      const auto seen = over_last_axis(piece);
+      return weights_have_one_sign(seen) && Criterion::is_flat(seen.points, tolerance);
+    } else {
+      return Criterion::is_flat(piece, tolerance);
+    }
   }
-  template <int Dimension, int Degree>
-  static bool is_flat(const Curve<Form::rational, double, Dimension, Degree>& piece, double tolerance) {
-    return weights_have_one_sign(piece) && Criterion::is_flat(piece.points, tolerance);
+
+  template <int Axes, int Degree>
+  static auto last_point(const Curve<Form::bernstein, double, Axes, Degree>& piece) {
+    const auto last = control_point(piece, piece.degree());
+    if constexpr (F == Form::rational) {
+      Point<double, Axes - 1> point;
+      for (int axis = 0; axis + 1 < Axes; ++axis) point[axis] = last[axis] / last[Axes - 1];
+      return point;
+    } else {
+      return last;
+    }
   }
 };
 

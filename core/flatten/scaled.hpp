@@ -37,28 +37,32 @@ void scale(Points& points, int exponent) {
 
 }  // namespace detail
 
-/// M::flatten(curve, tolerance, chords). Not complete, too, where a point is not finite.
+/// M::flatten(curve, tolerance, chords); of a rational curve, or one that is scaled, not complete where a point is not
+/// finite.
 template <FlattenMethod M, Form F, int Dimension, int Degree>
-void flatten_scaled(Curve<F, double, Dimension, Degree> curve, double tolerance, Flattening& chords) {
-  const auto original = curve;
+void flatten_scaled(const Curve<F, double, Dimension, Degree>& curve, double tolerance, Flattening& chords) {
+  constexpr bool rational = F == Form::rational;
   const auto control_points = [](auto& c) -> auto& {
-    if constexpr (F == Form::rational)
+    if constexpr (rational)
       return c.points;
     else
       return c;
   };
-  const int exponent = detail::extreme_exponent(detail::coordinates_of(control_points(curve)));
-  if (exponent != 0) detail::scale(control_points(curve), exponent);
-  if constexpr (F == Form::rational) {
-    const int of_weights =
-        detail::extreme_exponent({curve.weights.data(), static_cast<std::size_t>(curve.weights.size())});
-    for (int i = 0; i <= curve.degree() && of_weights != 0; ++i)
-      curve.weights[i] = times_power_of_two(curve.weights[i], -of_weights);
-  }
-  M::flatten(curve, times_power_of_two(tolerance, -exponent), chords);
-  if (exponent != 0) {
+  const auto& ends = control_points(curve);
+  const int exponent = detail::extreme_exponent(detail::coordinates_of(ends));
+  int of_weights = 0;
+  if constexpr (rational)
+    of_weights = detail::extreme_exponent({curve.weights.data(), static_cast<std::size_t>(curve.weights.size())});
+  if (exponent == 0 && of_weights == 0) {
+    M::flatten(curve, tolerance, chords);
+    if constexpr (!rational) return;
+  } else {
+    auto scaled = curve;
+    detail::scale(control_points(scaled), exponent);
+    if constexpr (rational)
+      for (int i = 0; i <= curve.degree(); ++i) scaled.weights[i] = times_power_of_two(curve.weights[i], -of_weights);
+    M::flatten(scaled, times_power_of_two(tolerance, -exponent), chords);
     for (double& x : chords.points) x = times_power_of_two(x, exponent);
-    const auto& ends = control_points(original);
     for (int axis = 0; axis < Dimension; ++axis) {
       chords.points[static_cast<std::size_t>(axis)] = ends(axis, 0);
       *(chords.points.end() - Dimension + axis) = ends(axis, curve.degree());
