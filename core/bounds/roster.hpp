@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/bounds/bisection_box.hpp"
+#include "core/bounds/conic_box.hpp"
 #include "core/bounds/control_box.hpp"
 #include "core/bounds/exact_box.hpp"
 #include "core/bounds/halved_polygon_box.hpp"
@@ -19,6 +20,7 @@ using BoundsMethods = TypeList<ControlBox<Form::bernstein>,    //
                                SplitBox,                       //
                                ExactBox<Form::bernstein>,      //
                                ControlBox<Form::rational>,     //
+                               ConicBox,                       //
                                BisectionBox<Form::rational>,   //
                                ExactBox<Form::rational>>;
 
