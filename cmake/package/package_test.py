@@ -90,6 +90,7 @@ class Package(unittest.TestCase):
                 self.assertEqual(run(self.folder / "build/headers_only").returncode, 0)
                 if "bezierbench/batch.hpp" in headers():
                     self.assertEqual(run(self.folder / "build/batch").returncode, 0)
+                    self.assertEqual(run(self.folder / "build/roots_and_parts").returncode, 0)
 
     def test_pkg_config_carries_the_arithmetic(self):
         flags = pkg_config("--cflags", "bezierbench-methods")
@@ -150,7 +151,7 @@ class Package(unittest.TestCase):
         for header in headers():
             text = (PREFIX / "include" / header).read_text(encoding="utf-8")
             self.assertNotRegex(text, r'#include "(core|reference|experiments)/', header)
-            if header == "bezierbench/batch.hpp":  # the library computes
+            if header in ("bezierbench/batch.hpp", "bezierbench/roots_and_parts.hpp"):  # the library computes
                 continue
             by_core = header in HARNESS and '#include "bezierbench/core/' in text
             self.assertTrue(by_core or "floating_point.hpp" in header or "floating_point.hpp" in text, header)
