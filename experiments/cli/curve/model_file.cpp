@@ -60,6 +60,8 @@ curves::Read read_model(std::string_view contents, const std::string& name) {
   while (!text.starts_with('\n')) {
     const auto end = text.find('\n');
     const auto blank = text.find(' ');
+    if (end == std::string_view::npos || blank > end)
+      throw curves::Unreadable(fmt::format("{}: Open CASCADE ends before its answer does; split the model", name));
     left_out[std::string(text.substr(blank + 1, end - blank - 1))] = std::stoull(std::string(text.substr(0, blank)));
     text.remove_prefix(end + 1);
   }
