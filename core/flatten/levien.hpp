@@ -44,7 +44,8 @@ struct Levien {
     const auto b = [&](int i) { return control_point(curve, i); };
     const P third = b(3) - 3 * b(2) + 3 * b(1) - b(0);
     const double in_tenths = third.squaredNorm() / (432 * 0.01 * tolerance * tolerance);
-    const int count = static_cast<int>(std::clamp(std::ceil(cube_root(std::sqrt(in_tenths))), 1.0, 1.0 * most_pieces));
+    const double wanted = std::ceil(cube_root(std::sqrt(in_tenths)));  // infinite or NaN where it overflows
+    const int count = wanted < most_pieces ? std::max(static_cast<int>(wanted), 1) : most_pieces;
     const double step = 1.0 / count;
     const auto point = [&](double t) { return t == 1 ? b(3) : at(curve, t); };
     flatten_pieces<Dimension>(

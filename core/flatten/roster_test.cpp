@@ -242,6 +242,19 @@ TEST(Flatten, RationalCurvesKeepTheTolerance) {
   EXPECT_GT(with_signs, 40);
 }
 
+/// As a study of the smallest coordinates asks for it.
+TEST(Flatten, NoToleranceIsTooFineToReturn) {
+  const std::vector<double> cubic{0, 0, 1, 2, 3, -1, 4, 0};
+  for (const auto& kernel : flatten_kernels(2)) {
+    if (!kernel.info->supports<double>(3)) continue;
+    for (const double tolerance : {1e-100, 1e-300, 0x1p-1074}) {
+      const auto chords = flattened(kernel, for_method(kernel, in_plane(cubic)), tolerance);
+      EXPECT_FALSE(chords.complete) << kernel.info->id << " " << tolerance;
+      EXPECT_EQ(chords.points.size(), 2 * chords.t.size()) << kernel.info->id;
+    }
+  }
+}
+
 /// Neither tiny nor huge coordinates and weights change a parameter, also where their squares and products leave the
 /// range of double.
 TEST(Flatten, ScalingByAnyPowerOfTwoChangesNoParameter) {
