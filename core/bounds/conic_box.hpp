@@ -32,7 +32,7 @@ struct ConicBox {
     const double u0 = 2 * w[0] * w[1] * (b(0, 1) - b(0, 0));
     const double u1 = w[0] * w[2] * (b(0, 2) - b(0, 0));
     const double u2 = 2 * w[1] * w[2] * (b(0, 2) - b(0, 1));
-    each_root_of_quadratic((u2 - u1) - (u1 - u0), 2 * (u1 - u0), u0, [&](double t) {
+    QuadraticFormulaBox<false>::each_root((u2 - u1) - (u1 - u0), 2 * (u1 - u0), u0, [&](double t) {
       if (!(t > 0 && t < 1)) return;
       const double s = 1 - t;
       const double f0 = w[0] * s * s;

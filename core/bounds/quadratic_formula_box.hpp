@@ -14,17 +14,6 @@
 
 namespace bezierbench {
 
-/// The real roots of a t^2 + b t + c, and perhaps numbers that are not finite.
-template <class Take>
-void each_root_of_quadratic(double a, double b, double c, Take take) {
-  if (a == 0) return take(-c / b);  // NaN or infinite where b is 0
-  const double square = b * b - 4 * a * c;
-  if (square < 0) return;
-  const double q = (b + std::copysign(std::sqrt(square), b)) / -2;
-  take(q / a);
-  if (q != 0) take(c / q);
-}
-
 template <bool margin>
 struct QuadraticFormulaBox {
   static constexpr BoxPromises promises{.contains = false, .within_one_ulp = false};
@@ -60,8 +49,19 @@ struct QuadraticFormulaBox {
       range.include(p - off);
       range.include(p + off);
     };
-    each_root_of_quadratic(3 * c[3], 2 * c[2], c[1], include);
+    each_root(3 * c[3], 2 * c[2], c[1], include);
     return range;
+  }
+
+  /// The real roots of a t^2 + b t + c, and perhaps numbers that are not finite.
+  template <class Take>
+  static void each_root(double a, double b, double c, Take take) {
+    if (a == 0) return take(-c / b);  // NaN or infinite where b is 0
+    const double square = b * b - 4 * a * c;
+    if (square < 0) return;
+    const double q = (b + std::copysign(std::sqrt(square), b)) / -2;
+    take(q / a);
+    if (q != 0) take(c / q);
   }
 };
 
