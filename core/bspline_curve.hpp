@@ -9,8 +9,8 @@
 
 namespace bezierbench {
 
-/// A curve of degree m >= 1 in one knot span, as core/bspline/bspline.hpp describes it. Knots, control points and
-/// weights stay in the caller's memory.
+/// One knot span of a curve of degree m >= 1: the 2m knots and m + 1 control points that decide it (see
+/// core/bspline/bspline.hpp). They stay in the caller's memory.
 struct BsplineSpanView {
   int dimension = 2;
   int degree = 1;

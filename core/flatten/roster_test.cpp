@@ -242,6 +242,15 @@ TEST(Flatten, RationalCurvesKeepTheTolerance) {
   EXPECT_GT(with_signs, 40);
 }
 
+/// Points are multiples of 2^-1074, which such a tolerance does not leave room for.
+TEST(Flatten, NoMethodSaysThatItKeepsASubnormalTolerance) {
+  const std::vector<double> cubic{0, 0, 1e-310, 2e-310, 3e-310, -1e-310, 4e-310, 0};
+  for (const auto& kernel : flatten_kernels(2)) {
+    if (!kernel.info->supports<double>(3)) continue;
+    EXPECT_FALSE(flattened(kernel, for_method(kernel, in_plane(cubic)), 1e-318).complete) << kernel.info->id;
+  }
+}
+
 /// As a study of the smallest coordinates asks for it.
 TEST(Flatten, NoToleranceIsTooFineToReturn) {
   const std::vector<double> cubic{0, 0, 1, 2, 3, -1, 4, 0};

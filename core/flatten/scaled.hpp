@@ -38,7 +38,7 @@ void scale(Points& points, int exponent) {
 }  // namespace detail
 
 /// M::flatten(curve, tolerance, chords); of a rational curve, or one that is scaled, not complete where a point is not
-/// finite.
+/// finite, and of one that is scaled where the tolerance is so small that points are rounded to multiples of 2^-1074.
 template <FlattenMethod M, Form F, int Dimension, int Degree>
 void flatten_scaled(const Curve<F, double, Dimension, Degree>& curve, double tolerance, Flattening& chords) {
   constexpr bool rational = F == Form::rational;
@@ -63,6 +63,7 @@ void flatten_scaled(const Curve<F, double, Dimension, Degree>& curve, double tol
       for (int i = 0; i <= curve.degree(); ++i) scaled.weights[i] = times_power_of_two(curve.weights[i], -of_weights);
     M::flatten(scaled, times_power_of_two(tolerance, -exponent), chords);
     for (double& x : chords.points) x = times_power_of_two(x, exponent);
+    chords.complete = chords.complete && tolerance >= 0x1p-1040;
     for (int axis = 0; axis < Dimension; ++axis) {
       chords.points[static_cast<std::size_t>(axis)] = ends(axis, 0);
       *(chords.points.end() - Dimension + axis) = ends(axis, curve.degree());

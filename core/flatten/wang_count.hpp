@@ -36,8 +36,8 @@ double wang_count(const Curve<Form::bernstein, double, Dimension, Degree>& curve
   return std::max(std::ceil(std::sqrt(largest_second_derivative(curve) / tolerance * 0.125)), 1.0);
 }
 
-/// Appends `wanted` chords with equal steps of t between the first and the last of the control points, the others
-/// computed by `Method`. Not complete where there would be too many.
+/// Appends `wanted` chords with equal steps of t. The first and the last end are control points, and `Method` computes
+/// the points between them. With more than max_chords wanted there are as many as that, and they are not complete.
 template <class Method, class C, int Dimension, int Degree>
 void add_equal_steps(const C& curve, const Curve<Form::bernstein, double, Dimension, Degree>& control_points,
                      double wanted, Flattening& chords) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Formula: the polynomial is halved with a bound e_i of the error of every coefficient. A coefficient with |c_i| <= e_i
 //   may have any sign. A piece is dropped where no choice of these signs has a change; it has one simple root where
-//   every choice has one change and both ends have certain, opposite signs. Pieces of which no sign is certain, or of
-//   width 2^-52, are clusters. A root is bisected, then enclosed by two values of certain signs. A cluster is a root,
-//   too, where a wider piece around it has exactly one. Coefficients 0 at an end are a root there and divided out.
+//   every choice has one change and both ends have certain, opposite signs. That root is bisected, and then enclosed
+//   between two t at which the sign of the polynomial is certain. A piece of which no sign is certain, or of width
+//   2^-52, is a cluster: it may have any number of roots, unless a wider piece around it turns out to have exactly
+//   one. A coefficient 0 at an end is a root there, and is divided out.
 // Source: [Lane and Riesenfeld 1981], subdivision and sign changes; [Higham 2002], section 3.3, running error bounds;
 //   the enclosures are derived here.
 // Cost: 52 triangles a root for the bisection, some 10 for the signs, and 10 flops more in each step of a triangle.

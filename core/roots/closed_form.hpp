@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error_free.hpp"
 #include "core/flatten/cube_root.hpp"
 #include "core/powers.hpp"
 #include "core/roots/roots.hpp"
@@ -52,22 +53,12 @@ struct ClosedForm {
   }
 
  private:
-  /// a b - p for p, the rounded a b, by splitting both factors ([Dekker 1971]).
-  static double rounding_of(double a, double b, double p) {
-    constexpr double splitter = 0x1p27 + 1;
-    const double a_high = splitter * a - (splitter * a - a);
-    const double b_high = splitter * b - (splitter * b - b);
-    const double a_low = a - a_high;
-    const double b_low = b - b_high;
-    return ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low;
-  }
-
   /// a b - c d, with the roundings of both products where they cancel.
   static double difference_of_products(double a, double b, double c, double d) {
-    const double p = a * b;
-    const double q = c * d;
+    const auto [p, of_p] = two_prod(a, b);
+    const auto [q, of_q] = two_prod(c, d);
     if (3 * std::abs(p - q) >= std::abs(p) + std::abs(q)) return p - q;
-    return (p - q) + (rounding_of(a, b, p) - rounding_of(c, d, q));
+    return (p - q) + (of_p - of_q);
   }
 
   template <class Take>

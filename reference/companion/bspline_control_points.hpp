@@ -28,8 +28,7 @@ std::optional<BsplineCurve> with_knots_inserted(const BsplineCurve& curve, std::
 /// Parts that meet where the curve is continuous share that point to the bit.
 std::optional<BsplineCurve> part_of_bspline(const BsplineCurve& curve, double from, double to);
 
-/// The highest degree to elevate to: time grows with its fourth power and with the spans, of which this one takes about
-/// a second each.
+/// The highest degree to elevate to. Time grows with the fourth power of the degree and with the number of spans.
 inline constexpr int max_elevated_bspline_degree = 64;
 
 /// In `degree`, at least that of the curve and at most max_elevated_bspline_degree; each knot stands as many times

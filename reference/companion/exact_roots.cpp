@@ -46,7 +46,7 @@ struct FactorRoot {
 
 constexpr unsigned long first_bits = 64;
 
-/// Narrows the interval until both ends round to one double, and returns it.
+/// The root rounded to double: narrows its interval until both ends round to the same number.
 double rounded(FactorRoot& found) {
   auto& root = found.root;
   for (unsigned long bits = first_bits;; bits *= 2) {
