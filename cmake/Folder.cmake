@@ -21,6 +21,10 @@ function(bezierbench_join target number)
   endif()
 endfunction()
 
+# CTest starts the costly first, so that none is left to run alone at the end: a test of the program takes seconds.
+set(BEZIERBENCH_PROGRAM_TEST_COST 20)
+set(BEZIERBENCH_LONGEST_TEST_COST 200)
+
 # The program of a folder's tests is one CTest of the same name: thousands of processes, one for each test, would take half a
 # minute to start. --gtest_brief shows what fails only.
 function(bezierbench_test_program target)
