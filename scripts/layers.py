@@ -81,6 +81,7 @@ ADDITIONS = [
         "what the reference is compared with for its cost",
     ),
     (r"experiments/cli/commands/list", "nlohmann/json", "the schema of suites is a JSON document"),
+    (r"bindings/web/include/", "Boost.Multiprecision", "the integers where GMP cannot be had"),
     (r"bindings/c/include/", "C", "its header is for C as well"),
     (r"bindings/c/include/", "bezierbench", "one of its headers includes the other as users do"),
     (r"experiments/external/plugin\.h", "C", "its header is for C as well"),

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bindings/c/status.hpp"
 
-#include <new>
-
 #include "core/api/floating_point_faults.hpp"
-#include "reference/length/length_panels.hpp"
 
 namespace bezierbench::c {
 
@@ -36,22 +33,6 @@ QuietExceptions::~QuietExceptions() { std::fesetenv(&caller_); }
 #endif
 
 bool is_stopped() { return stop_flag != nullptr && __atomic_load_n(stop_flag, __ATOMIC_RELAXED) != 0; }
-
-bb_status status_of_exception() noexcept {
-  try {
-    throw;
-  } catch (const Refused& refused) {
-    return refused.status;
-  } catch (const std::bad_alloc&) {
-    return BB_ERROR_MEMORY;
-  } catch (const reference::Stopped&) {
-    return BB_ERROR_STOPPED;
-  } catch (const reference::NotCertain&) {
-    return BB_ERROR_NOT_CERTAIN;
-  } catch (...) {
-    return BB_ERROR_INTERNAL;
-  }
-}
 
 bool computes_in_ieee_754() { return floating_point_faults().empty(); }
 

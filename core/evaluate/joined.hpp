@@ -39,7 +39,7 @@ struct Joined {
   static constexpr std::size_t size = (Parts::text.size() + ...);
   static constexpr std::array<char, size> copied() {
     std::array<char, size> all{};
-    auto* end = all.begin();
+    char* end = all.data();
     ((end = std::copy(Parts::text.begin(), Parts::text.end(), end)), ...);
     return all;
   }

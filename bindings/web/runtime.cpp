@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// What the runtime libraries of Debian for wasm32 leave out. C++ exceptions are those of WebAssembly, for libc++abi is built
+// without any: no handler of the library asks for a type, so an exception has its object and what destroys it, and no tables;
+// guarded() asks what was thrown. The compiler's functions for integers of 128 bits guard their stack.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <typeinfo>
+
+#include "bindings/c/status.hpp"
+#include "reference/length/length_panels.hpp"
+
+namespace {
+
+/// What lies before the object that was thrown.
+struct alignas(std::max_align_t) Thrown {
+  const std::type_info* type;
+  void (*destroy)(void*);
+};
+
+void* caught = nullptr;  // no handler of the library throws
+
+Thrown& thrown_with(void* object) { return static_cast<Thrown*>(object)[-1]; }
+
+}  // namespace
+
+extern "C" {
+
+void* __cxa_allocate_exception(std::size_t size) noexcept {
+  auto* thrown = static_cast<Thrown*>(std::malloc(sizeof(Thrown) + size));
+  if (thrown == nullptr) std::abort();
+  return thrown + 1;
+}
+
+void __cxa_free_exception(void* object) noexcept { std::free(&thrown_with(object)); }
+
+[[noreturn]] void __cxa_throw(void* object, std::type_info* type, void (*destroy)(void*)) {
+  thrown_with(object) = {type, destroy};
+  __builtin_wasm_throw(0, object);
+}
+
+void* __cxa_begin_catch(void* object) noexcept {
+  return caught = object;
+}
+
+void __cxa_end_catch() {
+  auto& thrown = thrown_with(caught);
+  if (thrown.destroy != nullptr) thrown.destroy(caught);
+  std::free(&thrown);
+}
+
+std::uintptr_t __stack_chk_guard = 0x4c95a317;
+[[noreturn]] void __stack_chk_fail() { std::abort(); }
+
+}  // extern "C"
+
+/// libc++abi's own would end the program.
+void* operator new(std::size_t size) {
+  if (void* place = std::malloc(size > 0 ? size : 1)) return place;
+  throw std::bad_alloc();
+}
+
+namespace bezierbench::c {
+
+bb_status status_of_exception() noexcept {
+  const std::type_info& type = *thrown_with(caught).type;
+  if (type == typeid(Refused)) return static_cast<const Refused*>(caught)->status;
+  if (type == typeid(std::bad_alloc)) return BB_ERROR_MEMORY;
+  if (type == typeid(reference::Stopped)) return BB_ERROR_STOPPED;
+  if (type == typeid(reference::NotCertain)) return BB_ERROR_NOT_CERTAIN;
+  return BB_ERROR_INTERNAL;
+}
+
+}  // namespace bezierbench::c
