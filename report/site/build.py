@@ -20,6 +20,7 @@ PLAYGROUND = ROOT / "report/site/playground"
 ENGINE = (ROOT / "build/web/bezierbench.wasm", ROOT / "bindings/web/bezierbench.mjs")
 DOORS = (("Methods", "methods/index.html"), ("Introduction", "docs/introduction.html"), ("Documents", "docs/index.html"), ("Atlas", "atlas/index.html"),
          ("Playground", "playground/index.html"))
+METHODS = "docs/methods.md"  # whose ids lead to headers, and here to pages
 NO_PLAYGROUND = "The playground is not part of this copy: scripts/build web compiles it, then scripts/site takes it along."
 
 
@@ -64,7 +65,7 @@ def style():
     return colours[1] + (TEMPLATES / "site.css").read_text(encoding="utf-8")
 
 
-def write_documents(site):
+def write_documents(site, pages):
     """The documents, and what they and all other pages link to, until nothing new is linked."""
     todo = set(repository.documents()) | site.wanted
     done = set()
@@ -78,6 +79,8 @@ def write_documents(site):
                 continue
             body = rendered[path] if path in rendered else repository.source_text(path)
             body = repository.linked(repository.scrolling(body), path, seen) if path in rendered else body
+            if path == METHODS:
+                body = re.sub(r'<a href="[^"]*"><code>([\w:]+)</code></a>', lambda found: pages.link(found[1], "..") if found[1] in pages.rows else found[0], body)
             site.page(repository.place(path), "page.html.j2", title=repository.title_of(body, path), body=body)
         done |= {repository.place(path) for path in todo}
         todo = {path for path in seen if repository.place(path) not in done}
@@ -120,7 +123,7 @@ def build(out, program):
     pages = methods.Pages(program)
     write_start(site, pages.answers)
     write_methods(site, pages)
-    write_documents(site)
+    write_documents(site, pages)
     return said
 
 
@@ -128,7 +131,12 @@ def main(given):
     parser = argparse.ArgumentParser(prog="site", description="Writes the static site: start page, documents, a page for each method, atlas, playground.")
     parser.add_argument("folder", nargs="?", type=Path, default=ROOT / "site", help="where to; default: site")
     parser.add_argument("--program", type=Path, default=ROOT / "build/release/bezierbench", help="lists the methods; default: build/release/bezierbench")
+    parser.add_argument("--pictures", action="store_true", help="draws those of docs/introduction.md instead")
     options = parser.parse_args(given)
+    if options.pictures:
+        from . import pictures  # needs NumPy and matplotlib
+        pictures.write()
+        return 0
     try:
         if not shutil.which("pandoc"):
             raise Fault("pandoc is missing, which makes HTML of the documents; install the package pandoc")
