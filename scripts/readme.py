@@ -24,7 +24,7 @@ sys.path.insert(0, str(ROOT))
 sys.dont_write_bytecode = True  # the source tree may be read-only
 from report.bundle import Bundle  # noqa: E402
 from report.wording import listing  # noqa: E402
-from scripts.pages import bundles, figure, index, program  # noqa: E402
+from scripts.pages import bundles, figure, index, methods, program  # noqa: E402
 from scripts.pages.answers import answers  # noqa: E402
 
 WORDING = ("citation",)  # columns of methods.csv whose wording may change; they have no numbers of a bundle
@@ -32,7 +32,7 @@ PART = re.compile(r"(<!-- begin ([a-z_]+) -->\n).*?(<!-- end \2 -->)", re.DOTALL
 PARTS = {"answers": lambda _page: answers(Bundle(bundles.ANSWERS), bundles.real()), "figure": lambda page: figure.picture(Bundle(bundles.ANSWERS), page),
          "printed": bundles.printed, "printed_orders": bundles.printed_orders, "scorecard": bundles.scorecard,
          "digest": bundles.digest, "gates": bundles.gates, "doors": index.doors, "index": index.index, "statements": program.statements}
-PARTS_OF_PROGRAM = {"comparison": bundles.comparison, "methods": program.methods, "suites": program.suites,
+PARTS_OF_PROGRAM = {"comparison": bundles.comparison, "methods": methods.methods, "suites": program.suites,
                     "generators": program.generators}
 
 

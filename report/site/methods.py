@@ -154,10 +154,13 @@ class Pages:
         self.answers, self.uses = Answers(), uses()
         stems = {Path(one.path).stem: one.path for one in header.all_headers()}
         self.files = {path.name: str(path.relative_to(ROOT)) for path in sorted((ROOT / "core").rglob("*.hpp"))}
-        self.links = {**{stem: None for stem in stems}, **{method: address(method) for method in self.rows}}
         self.stems = stems
         if unknown := set(self.uses) - set(self.rows):
             raise ValueError(f"{USES.name}: the program has no method {', '.join(sorted(unknown))}")
+
+    @staticmethod
+    def link(method, up):
+        return f'<a href="{up}/{address(method)}"><code>{html.escape(method)}</code></a>'
 
     def texts(self):
         """Every text that holds mathematics."""
@@ -175,10 +178,10 @@ class Pages:
             if name in seen.headers:
                 return html.escape(name)
             if name in self.rows and "_" in name or name in self.stems and "_" in name:
-                target = address(name) if name in self.rows else place(self.stems[name])
-                if name not in self.rows:
-                    seen.files.add(self.stems[name])
-                return f'<a href="{posixpath.relpath(target, "methods")}"><code>{html.escape(name)}</code></a>'
+                if name in self.rows:
+                    return self.link(name, "..")
+                seen.files.add(self.stems[name])
+                return f'<a href="{posixpath.relpath(place(self.stems[name]), "methods")}"><code>{html.escape(name)}</code></a>'
             return html.escape(name)
 
         def path(match):

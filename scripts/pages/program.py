@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The parts of the documents that the program says, its methods, suites and generators, and the statements of its sources."""
+"""The parts of the documents that the program says, its suites and generators, and the statements of its sources."""
 import csv
 import io
 import os
@@ -7,7 +7,6 @@ import re
 import subprocess
 from pathlib import Path
 
-from report.chapters.provenance import METHOD_COLUMNS
 from scripts.pages.markdown import table
 
 STATEMENTS = Path(__file__).resolve().parents[2] / "experiments/guarantees/statements.hpp"
@@ -29,12 +28,6 @@ def method_list_of(program):
     """Our own methods as CSV, without peers, which depend on what a machine has installed."""
     text = output(program, "list", "methods", "--format", "csv")
     return "".join(line for line in text.splitlines(keepends=True) if not line.startswith("peer_"))
-
-
-def methods(_page, program):
-    """The program's methods in the columns of the report's chapter."""
-    rows = [row for row in csv.DictReader(io.StringIO(method_list_of(program))) if ":" not in row["id"]]
-    return table([heading for heading, _ in METHOD_COLUMNS], [[write(row) for _, write in METHOD_COLUMNS] for row in rows])
 
 
 def suites(_page, program):
