@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Elements in one call.
+
+const drawn = new Set(["svg", "g", "path", "circle", "line", "rect", "text", "title"]);
+
+// An element with attributes (functions are listeners, undefined and false leave one out) and children.
+export function make(name, attributes = {}, ...children) {
+  const element = drawn.has(name) ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) {
+    if (typeof value === "function") element.addEventListener(key, value);
+    else if (value !== undefined && value !== false) element.setAttribute(key, value === true ? "" : value);
+  }
+  element.append(...children);
+  return element;
+}
+
+export const byId = (id) => document.getElementById(id);
+
+// Calls `action` once, `wait` ms after the last call.
+export function late(action, wait) {
+  let timer;
+  return (...given) => {
+    clearTimeout(timer);
+    timer = setTimeout(() => action(...given), wait);
+  };
+}
+
+// Says a sentence to everybody, to screen readers too.
+const quiet = late(() => { byId("said").textContent = ""; }, 4000);
+export function say(sentence) {
+  byId("said").textContent = sentence;
+  quiet();
+}
+
+export async function copy(words, what) {
+  try {
+    await navigator.clipboard.writeText(words);
+    say(`${what} copied.`);
+  } catch {
+    say(`The browser does not allow copying; select ${what.toLowerCase()} and press Ctrl+C.`);
+  }
+}
+
+// A field of a number: what is wrong is said in `place`, what is typed stays. `apply` gets each number that is one.
+export function numberField(input, place, what, apply) {
+  input.addEventListener("input", () => {
+    try {
+      apply(what(input.value));
+      input.removeAttribute("aria-invalid");
+      if (place.dataset.from === input.id) place.textContent = "";
+    } catch (wrong) {
+      input.setAttribute("aria-invalid", "true");
+      place.dataset.from = input.id;
+      place.textContent = wrong.message;
+    }
+  });
+}
+
+// Shows a number in a field, unless somebody types there.
+export function showIn(input, words) {
+  if (document.activeElement === input && !input.readOnly) return;
+  input.value = words;
+  input.removeAttribute("aria-invalid");
+}

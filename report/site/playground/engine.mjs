@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The library in a worker, so that the page never waits for it. Of each kind of question only the newest is answered.
+
+// A page in one file holds worker and program as text; one in a folder fetches them.
+function start() {
+  const script = document.getElementById("worker-script");
+  if (!script) return [new Worker(new URL("worker.mjs", document.baseURI), { type: "module" }), { url: new URL("bezierbench.wasm", document.baseURI).href }];
+  const address = URL.createObjectURL(new Blob([script.textContent], { type: "text/javascript" }));
+  return [new Worker(address), { base64: document.getElementById("program").textContent }];
+}
+
+export class Engine {
+  constructor(onFault) {
+    this.waiting = new Map(); // kind -> the question that the worker has, and the newest one behind it
+    this.number = 0;
+    const [worker, program] = start();
+    this.worker = worker;
+    worker.onerror = (event) => { event.preventDefault(); onFault(`The methods did not load (${event.message ?? "the file worker.mjs is missing"}); reload the page, or open it in a newer browser.`); };
+    worker.onmessage = ({ data }) => {
+      if (data.fatal) return onFault(`The methods did not load (${data.fatal}); reload the page, or open it in a newer browser.`);
+      return this.take(data);
+    };
+    worker.postMessage({ program });
+  }
+
+  // `answered` gets (answer, fault), for slices several times.
+  ask(kind, question, answered) {
+    const now = this.waiting.get(kind);
+    const next = { question, answered };
+    if (now && kind !== "shares") now.next = next;
+    else this.send(kind, next); // the slices of shares end when a newer question arrives
+  }
+
+  send(kind, one) {
+    this.number += 1;
+    this.waiting.set(kind, { ...one, number: this.number });
+    this.worker.postMessage({ kind, number: this.number, question: one.question });
+  }
+
+  take({ kind, number, answer, fault, last }) {
+    const now = this.waiting.get(kind);
+    if (now?.number !== number) return;
+    now.answered(answer, fault);
+    if (!last) return;
+    this.waiting.delete(kind);
+    if (now.next) this.send(kind, now.next);
+  }
+}
