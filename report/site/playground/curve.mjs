@@ -45,8 +45,8 @@ export function check({ form, dimension, points, weights }) {
   return { form, dimension, points: [...points], weights: weights ? [...weights] : null };
 }
 
-// The coordinates nearest to those of the curve in float.
-export const inFloat = (curve) => ({ ...curve, points: curve.points.map(Math.fround) });
+// The curve whose numbers are the nearest floats.
+export const inFloat = (curve) => ({ ...curve, points: curve.points.map(Math.fround), weights: curve.weights && curve.weights.map(Math.fround) });
 
 export const sameCurve = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 

@@ -33,7 +33,7 @@ export function stateOfAddress(address, views) {
   if (!["bernstein", "power", "rational"].includes(curve.form)) throw Error(`The link’s form is “${curve.form}”; write bernstein, power or rational.`);
   const state = stateOf(curve);
   for (const name of numbersOfState) if (given.has(name)) [state[name]] = numbers(name);
-  if (given.get("scalar") === "float" && curve.form === "bernstein") state.scalar = "float";
+  if (given.get("scalar") === "float") state.scalar = "float";
   if (views.includes(given.get("view"))) state.view = given.get("view");
   state.down = given.get("down") === "yes";
   if (given.has("foot") && numbers("foot").length === curve.dimension) state.foot = numbers("foot");

@@ -52,7 +52,6 @@ function prepare(next) {
     const [low, high] = ends(curve);
     next.tolerance = round(0.005 * Math.max(high[0] - low[0], high[1] - low[1]), 1) || 0.01;
   }
-  if (curve.form !== "bernstein") next.scalar = "double";
   return next;
 }
 
@@ -92,6 +91,7 @@ function ask(moved) {
   if (state.view === "points") {
     engine.ask("points", question, (answer, fault) => {
       byId("fault").textContent = fault ?? "";
+      byId("panel").classList.remove("stale");
       if (fault) return;
       table.show(answer, question.curve.dimension);
       speak(byId("verdict").textContent);
@@ -104,13 +104,14 @@ function ask(moved) {
   const view = questions[asked];
   const without = view.without(state);
   byId("without").textContent = without;
-  byId("answers").hidden = Boolean(without);
-  if (without) { answers[asked] = null; showMore(); return; }
+  byId("answers-part").hidden = Boolean(without) || !answers[asked];
+  if (without) { answers[asked] = null; byId("panel").classList.remove("stale"); showMore(); return; }
   const askedState = state;
   engine.ask(asked, view.ask(state), (answer, fault) => {
     if (state.view !== asked) return;
     byId("fault").textContent = fault ?? "";
-    byId("answers").hidden = Boolean(fault);
+    byId("answers-part").hidden = Boolean(fault);
+    byId("panel").classList.remove("stale");
     answers[asked] = fault ? null : answer;
     if (!fault) showAnswer(view, answer, askedState);
     picture.show(state, overlay());
@@ -213,8 +214,8 @@ function showFields() {
   showIn(byId("t-number"), text(t));
   byId("form").value = curve.form;
   byId("down").checked = state.down;
-  for (const radio of document.getElementsByName("scalar")) { radio.checked = radio.value === scalar; radio.disabled = curve.form !== "bernstein"; }
-  byId("scalar-note").textContent = curve.form === "bernstein" ? (scalar === "float" ? "Coordinates and t are rounded to float first." : "") : "Float is for control points without weights.";
+  for (const radio of document.getElementsByName("scalar")) radio.checked = radio.value === scalar;
+  byId("scalar-note").textContent = scalar === "float" ? "Coordinates, weights and t are rounded to float first." : "";
   byId("degree").textContent = `degree ${degreeOf(curve)}, ${curve.dimension === 1 ? "one coordinate, drawn over t" : curve.dimension === 3 ? "in space, drawn from above" : "in the plane"}`;
   byId("remove").disabled = degreeOf(curve) < 1;
   for (const tab of byId("tabs").children) { const is = tab.dataset.view === view; tab.setAttribute("aria-selected", String(is)); tab.tabIndex = is ? 0 : -1; }
@@ -225,6 +226,7 @@ function showFields() {
   for (const label of byId("fields").children) label.hidden = !names.includes(label.dataset.field) || Number(label.dataset.axis ?? 0) >= curve.dimension;
   for (const name of Object.keys(fields)) if (state[name] !== null) showIn(byId(`field-${name}`), text(state[name]));
   if (state.foot) state.foot.forEach((value, k) => showIn(byId(`field-foot-${axes[k]}`), text(value)));
+  byId("question-hint").textContent = questions[view]?.hint ?? "";
   byId("command").value = commandFor(state);
   for (const button of byId("examples").children) button.setAttribute("aria-pressed", String(sameCurve(examples[button.dataset.number].curve, curve)));
   byId("others").hidden = !file;
@@ -236,6 +238,7 @@ function load(curve, more = {}) {
   chosen = {};
   answers = {};
   table.forget();
+  byId("panel").classList.add("stale"); // until it is answered
   for (const place of ["coordinate-fault", "field-fault", "link-fault"]) byId(place).textContent = "";
   const { scalar = "double", view = "points" } = state ?? {};
   update(stateOf(curve, { scalar, view, ...more }), { refit: true });

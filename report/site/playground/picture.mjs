@@ -83,13 +83,12 @@ export class Picture {
       const power = 10 ** Math.floor(Math.log10(rough));
       const step = [1, 2, 5, 10].map((factor) => factor * power).find((value) => value >= rough);
       const marks = [];
-      for (let k = Math.ceil(low / step); k * step <= high && marks.length < 60; k += 1) {
+      for (let k = Math.ceil(low / step); k * step <= Math.min(high, Number.MAX_VALUE) && marks.length < 60; k += 1) {
         const value = Number((k * step).toPrecision(12));
         const [x, y] = this.toPixel(axis ? [0, value] : [value, 0]);
         const label = String(value);
         marks.push(make("line", axis ? { x1: 0, x2: width, y1: y, y2: y } : { x1: x, x2: x, y1: 0, y2: height }));
         marks.push(make("text", axis ? { x: 4, y: y - 3 } : { x: x + 3, y: height - 5 }, label));
-        if (power === 0 || !Number.isFinite(step)) break;
       }
       return marks;
     });

@@ -34,7 +34,7 @@ export const questions = {
     draw: (answer, { curve, from, to }) => ({ under: [{ line: evenly(curve, from, to), class: "part" }] }),
   },
   nearest: {
-    label: "Nearest point", command: "project", fields: ["foot"],
+    label: "Nearest point", command: "project", fields: ["foot"], hint: "Drag the filled point, or type where it is.",
     without: polynomialOrRational,
     ask: ({ curve, foot }) => ({ curve, foot }),
     options: ({ foot }) => option("point", foot.map(text).join(",")),
@@ -49,7 +49,7 @@ export const questions = {
     },
   },
   split: {
-    label: "Split", command: "split", fields: [], choose: "halves of",
+    label: "Split", command: "split", fields: [], hint: "The curve is split at the t below its picture.", choose: "halves of",
     without: polynomialOrRational,
     ask: ({ curve, t }) => ({ curve, t }),
     options: ({ t }) => option("t", t),
@@ -63,7 +63,7 @@ export const questions = {
     more: ({ halves } = {}) => (halves ?? []).map((half, k) => `${k ? "Right" : "Left"} half: ${pointsOf(half).map(at).join(" ")}${half.weights ? `, weights ${[...half.weights].map(text).join(" ")}` : ""}`),
   },
   chords: {
-    label: "Chords", command: "flatten", fields: ["tolerance"], choose: "chords of",
+    label: "Chords", command: "flatten", fields: ["tolerance"], hint: "The program also says, from the truth, whether every chord is near enough, and the least number of chords.", choose: "chords of",
     without: polynomialOrRational,
     ask: ({ curve, tolerance }) => ({ curve, tolerance }),
     options: ({ tolerance }) => option("tolerance", tolerance),
@@ -78,7 +78,7 @@ export const questions = {
     },
   },
   box: {
-    label: "Box", command: "box", fields: [], choose: "box of",
+    label: "Box", command: "box", fields: [], hint: "exact_box and split_box are proved to contain the curve. A side is judged by that of exact_box, which is the tightest or the next double.", choose: "box of",
     without: polynomialOrRational,
     ask: ({ curve }) => ({ curve }),
     options: () => "",

@@ -29,7 +29,8 @@ const forEach = (methods, compute) => methods.map((method) => {
 function points({ curve, t, float }) {
   const exact = [...library.exact(curve, [t], { float })];
   const fractions = exact.map((_, axis) => { try { return library.exactText(curve, t, axis); } catch { return ""; } });
-  const rows = forEach(methodsFor("evaluate", curve, float), (id, method) => {
+  const within = (method) => (t >= 0 && t <= 1) || !method.unitIntervalOnly;
+  const rows = forEach(methodsFor("evaluate", curve, float).filter(within), (id, method) => {
     const values = [...library.evaluate(id, curve, [t], { float })];
     const errors = library.error(curve, [t], values, { float });
     const bound = method.hasBound ? library.bound(id, curve, [t], { float }) : null;
