@@ -194,7 +194,7 @@ async function controls() {
     check(Math.abs(right - left - dx) < 0.6 && Math.abs(bottom - top - dy) < 0.6, `${key} moves by ${right - left}, ${bottom - top}`);
   }
   await settled();
-  // Coordinates and t by typing; wrong input stays and is said.
+  // Coordinates and t by typing; wrong input stays, and a line names it.
   await page.fill("#c-0-x", "-0.25");
   same((await values())[0], -0.25, "a typed coordinate");
   for (const [field, fault, wrong, part] of [["#c-0-x", "coordinate-fault", "1,5", "write 1.5"], ["#c-0-x", "coordinate-fault", "", "is empty"], ["#t-number", "t-fault", "abc", "“abc”"]]) {
@@ -274,7 +274,7 @@ async function controls() {
   // The link and the command.
   await page.click("#link");
   const link = await page.evaluate(() => window.copied);
-  same(await texts(page, "said"), "The link copied.", "what is said of the link");
+  same(await texts(page, "said"), "The link copied.", "the words about the link");
   await page.click("#copy-command");
   same(await page.evaluate(() => window.copied), await page.inputValue("#command"), "the command");
   const other = await open(link.slice(link.indexOf("#")));

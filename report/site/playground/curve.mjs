@@ -50,7 +50,7 @@ export const inFloat = (curve) => ({ ...curve, points: curve.points.map(Math.fro
 
 export const sameCurve = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 
-// x1, y1, x2, y2 of cubic-bezier() in CSS, or null where the curve is none.
+// x1, y1, x2, y2 of cubic-bezier() in CSS, or null where the curve is not one.
 export function easingOf({ form, dimension, points: p }) {
   const is = form === "bernstein" && dimension === 2 && p.length === 8 && p[0] === 0 && p[1] === 0 && p[6] === 1 && p[7] === 1;
   return is && [p[2], p[4]].every((x) => x >= 0 && x <= 1) ? p.slice(2, 6) : null;

@@ -41,7 +41,7 @@ export async function copy(words, what) {
   }
 }
 
-// A field of a number: what is wrong is said in `place`, what is typed stays. `apply` gets each number that is one.
+// A field of a number: `place` says what is wrong, and what is typed stays. `apply` gets each number that is one.
 export function numberField(input, place, what, apply) {
   input.addEventListener("input", () => {
     try {

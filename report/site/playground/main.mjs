@@ -252,7 +252,7 @@ function pick(number_) {
   load(file.curves[file.chosen].curve, { down: file.down });
 }
 
-// Takes what somebody gave; what is wrong with it is said beside the field.
+// Takes what somebody gave; the line below the field says what is wrong with it.
 function take(source) {
   try {
     const { curves, down } = read(source);
@@ -335,23 +335,27 @@ function listen() {
   makeFields();
 }
 
-// Shows what the address says; false where it says no curve.
+// Shows what the address says, and the first example where it says no curve.
 function follow() {
+  byId("link-fault").textContent = "";
+  let next = null;
   try {
     const words = /^#text=(.*)$/s.exec(location.hash);
-    if (words) { byId("given-text").value = decodeURIComponent(words[1]); take(byId("given-text").value); return Boolean(state); }
-    const next = stateOfAddress(location.hash, views);
-    if (!next || (state && addressOf(state) === location.hash)) return Boolean(next);
-    byId("link-fault").textContent = "";
-    chosen = {};
-    table.forget();
-    update(next, { refit: true, keepAddress: true });
-    return true;
+    if (words) {
+      byId("given-text").value = decodeURIComponent(words[1]);
+      take(byId("given-text").value);
+      if (state) return;
+    } else next = stateOfAddress(location.hash, views);
   } catch (wrong) {
     byId("link-fault").textContent = wrong instanceof URIError ? "The link is damaged; copy it again." : wrong.message;
-    return false;
+    if (state) return;
   }
+  if (state && addressOf(state) === location.hash) return;
+  chosen = {};
+  answers = {};
+  table.forget();
+  update(next ?? stateOf(examples[0].curve), { refit: true, keepAddress: true });
 }
 
 listen();
-if (!follow()) update(stateOf(examples[0].curve), { refit: true, keepAddress: true });
+follow();

@@ -32,7 +32,7 @@ const columns = [
   { key: "id", head: "method", of: (row) => row.id },
   { key: "u", head: "error, in\u00a0u\u00a0p~", of: (row) => row.u },
   { key: "ulp", head: "in\u00a0ulp", of: (row) => row.ulp },
-  { key: "bound", head: "proved bound", of: (row) => row.boundU },
+  { key: "bound", head: "bound, in\u00a0u\u00a0p~", of: (row) => row.boundU },
   { key: "share", head: "not\u00a0nearest", of: (row) => row.share },
 ];
 
