@@ -134,8 +134,9 @@ function overlay() {
 function showAnswer(view, answer, of) {
   const { head, rows, exact } = view.table(answer, of);
   const cells = (values) => values.map((value) => make("td", {}, ...[value].flat()));
-  const name = ({ id, label, fault }) => {
-    const words = [codeOf(id), make("small", {}, label)];
+  const name = ({ id, label, bitStable, fault }) => {
+    const varies = bitStable ? [] : [make("b", { class: "badge", title: "The C library decides its last digits; another one may give others." }, "last digits vary")];
+    const words = [codeOf(id), ...varies, make("small", {}, label)];
     if (!view.choose || fault) return make("th", { scope: "row" }, ...words);
     const radio = make("input", { type: "radio", name: "drawn", value: id, checked: chosenRow(of.view)?.id === id, change: () => { chosen[of.view] = id; picture.show(state, overlay()); showMore(); } });
     return make("th", { scope: "row" }, make("label", {}, radio, ...words));
@@ -145,7 +146,7 @@ function showAnswer(view, answer, of) {
   first.replaceChildren(make("tr", {}, make("th", { scope: "col", class: "label" }, view.choose ? `drawn: ${view.choose}` : "method"), ...head.map((one) => make("th", { scope: "col" }, one))));
   const filled = (list) => [...list, ...Array.from({ length: head.length - list.length }, () => "")];
   body.replaceChildren(...(exact ? [make("tr", { class: "exact" }, make("th", { scope: "row" }, "true value, rounded once"), ...cells(filled(exact)))] : []),
-    ...rows.map(([row, list, value]) => make("tr", { "data-id": row.id, "data-v": row.fault ? "" : String(value) }, name(row),
+    ...rows.map(([row, list, value]) => make("tr", { "data-id": row.id, "data-varies": !row.bitStable, "data-v": row.fault ? "" : String(value) }, name(row),
       ...(row.fault ? [make("td", { class: "fault", colspan: head.length }, row.fault)] : cells(filled(list))))));
   if (focused) body.querySelector(`input[value="${focused}"]`)?.focus();
   showMore();

@@ -12,10 +12,12 @@ export class Picture {
   constructor(svg, moved) {
     Object.assign(this, { svg, moved, handles: new Map(), overlay: {} });
     this.layers = Object.fromEntries(["grid", "under", "polygon", "curve", "over", "handles"].map((name) => [name, svg.appendChild(make("g", { class: name }))]));
-    new ResizeObserver(() => { if (this.state) this.show(this.state, this.overlay, true); }).observe(svg);
+    this.measure();
+    new ResizeObserver(() => { this.measure(); if (this.state) this.show(this.state, this.overlay, true); }).observe(svg);
   }
 
-  get size() { return [this.svg.clientWidth || 600, this.svg.clientHeight || 400]; }
+  // Kept, because a look at the size lays the whole page out.
+  measure() { this.size = [this.svg.clientWidth || 600, this.svg.clientHeight || 400]; }
 
   fit(state) {
     const { curve, foot } = state;

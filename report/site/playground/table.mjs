@@ -33,7 +33,7 @@ const columns = [
   { key: "u", head: "error, in\u00a0u\u00a0p~", of: (row) => row.u },
   { key: "ulp", head: "in\u00a0ulp", of: (row) => row.ulp },
   { key: "bound", head: "bound, in\u00a0u\u00a0p~", of: (row) => row.boundU },
-  { key: "share", head: "not\u00a0nearest", of: (row) => row.share },
+  { key: "share", head: "not nearest", of: (row) => row.share },
 ];
 
 // Numbers first, what is unknown last; without a share the error decides.
@@ -78,22 +78,22 @@ export class MethodTable {
     row.cells.share.dataset.v = row.share ?? "";
   }
 
-  row(id, label) {
-    const badges = make("span", { class: "badges" });
-    const cells = { name: make("th", { scope: "row" }, codeOf(id), badges, make("small", {}, label)), badges };
+  row({ id, label, fused }, recommended) {
+    const badges = [...(recommended ? [make("b", { class: "badge good" }, "recommended")] : []), ...(fused ? [make("b", { class: "badge" }, "fused")] : [])];
+    const cells = { name: make("th", { scope: "row" }, codeOf(id), ...badges, make("small", {}, label)) };
     for (const { key } of columns.slice(1)) cells[key] = make("td", { class: key });
     cells.values = Array.from({ length: this.dimension }, () => make("td", { class: "digits" }));
-    const element = make("tr", { "data-id": id }, cells.name, ...columns.slice(1).map(({ key }) => cells[key]), ...cells.values);
+    const element = make("tr", { "data-id": id, class: recommended && "recommended" }, cells.name, ...columns.slice(1).map(({ key }) => cells[key]), ...cells.values);
     return { id, element, cells };
   }
 
-  // Fills the table with the answer to `points`; `note` says what fused methods are.
+  // Fills the table with the answer to `points`.
   show(answer, dimension) {
     this.head(dimension);
-    const ids = answer.rows.map((row) => row.id).join(" ") + dimension;
+    const ids = [...answer.rows.map((row) => row.id), dimension, answer.recommended].join(" ");
     if (this.ids !== ids) {
       this.ids = ids;
-      this.rows = new Map(answer.rows.map(({ id, label }) => [id, this.row(id, label)]));
+      this.rows = new Map(answer.rows.map((one) => [one.id, this.row(one, one.id === answer.recommended)]));
       this.exact = make("tr", { class: "exact" }, make("th", { scope: "row" }, "true point, rounded once"), ...columns.slice(1).map(() => make("td")),
         ...answer.exact.map(() => make("td", { class: "digits" })));
     }
@@ -102,12 +102,12 @@ export class MethodTable {
       cell.textContent = text(value);
       cell.dataset.v = text(value);
     });
-    for (const given of answer.rows) this.fill(this.rows.get(given.id), given, answer);
+    for (const given of answer.rows) this.fill(this.rows.get(given.id), given, answer.exact);
     this.arrange();
     byId("verdict").textContent = this.verdict(answer);
   }
 
-  fill(row, given, { exact, recommended }) {
+  fill(row, given, exact) {
     const { cells } = row;
     row.fault = given.fault;
     row.u = given.fault ? NaN : Math.max(...given.errors.map((one) => one.u));
@@ -116,9 +116,6 @@ export class MethodTable {
     row.nearest = !given.fault && given.values.every((value, axis) => value === exact[axis]);
     row.lost = digitsLost(row.u);
     row.element.classList.toggle("losing", row.lost > 0);
-    row.element.classList.toggle("recommended", given.id === recommended);
-    cells.badges.replaceChildren(...(given.id === recommended ? [make("b", { class: "badge good" }, "recommended")] : []),
-      ...(given.fused ? [make("b", { class: "badge", title: "uses fused multiply-add" }, "fused")] : []));
     cells.u.replaceChildren(given.fault ? make("small", { class: "fault" }, given.fault) : short(row.u),
       ...(row.lost ? [make("small", {}, ` loses ${plural(row.lost, "digit")}`)] : []));
     cells.u.style.setProperty("--bar", `${row.u > 0 ? Math.min(100, Math.max(2, 100 * ((Math.log10(row.u) + 2) / 10))) : 0}%`);
@@ -130,6 +127,8 @@ export class MethodTable {
     cells.ulp.dataset.v = (given.errors ?? []).map((one) => text(one.ulp)).join(" ");
     cells.bound.dataset.v = all(given.bound);
     cells.values.forEach((cell, axis) => {
+      if (!given.fault && cell.dataset.v === text(given.values[axis]) && cell.dataset.exact === text(exact[axis])) return;
+      cell.dataset.exact = text(exact[axis]);
       cell.replaceChildren(...(given.fault ? [] : digits(given.values[axis], exact[axis])));
       cell.dataset.v = given.fault ? "" : text(given.values[axis]);
     });

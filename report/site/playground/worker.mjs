@@ -18,11 +18,11 @@ function methodsFor(problem, curve, float) {
 
 // What `compute` returns for each method, or why it does not.
 const forEach = (methods, compute) => methods.map((method) => {
-  const { id, label } = method;
+  const { id, label, bitStable } = method;
   try {
-    return { id, label, ...compute(id, method) };
+    return { id, label, bitStable, ...compute(id, method) };
   } catch (wrong) {
-    return { id, label, fault: wrong.message };
+    return { id, label, bitStable, fault: wrong.message };
   }
 });
 
