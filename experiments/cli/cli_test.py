@@ -16,7 +16,8 @@ class CommandLine(Case):
         for arguments, needle in [
                 (["rnu"], "rnu: unknown command; did you mean \"run\"?"), (["list"], "subcommand"), (["complte"], "did you mean \"compare\"?"),
                 (["list", "complte"], "unknown command; known are"), (["curve", "evl"], "did you mean \"eval\"?"),
-                (["--nonsense"], "--help"), (["rnu", "--help"], "rnu: unknown command"), (["run", "--oot", "b", "--help"], "--oot"),
+                (["--nonsense"], "--help"), (["chose", "results/answers", "--degree", "3"], "chose: unknown command; did you mean \"choose\"?"),
+                (["curve", "evl", "--curve=c", "--t", "0.5"], "evl: unknown command; did you mean \"eval\"?"), (["rnu", "--help"], "rnu: unknown command"), (["run", "--oot", "b", "--help"], "--oot"),
                 (["run"], "SUITE is required; see bezierbench run --help"), (["run", suite], "--out"), (["run", suite, "--out"], "--out"),
                 (["run", suite, "--oot=b"], "--oot: unknown option; did you mean \"--out\"?"),
                 (["run", suite, "--out", ""], "--out"), (["run", suite, "--out", "b", "--out", "c"], "--out"),
@@ -82,6 +83,27 @@ class Lists(Case):
                 self.assertGreaterEqual(int(row["max_degree"]), 170)
             self.assertIn(row["bit_stable"], ("yes", "no"))
             self.assertTrue(row["citation"] and row["flops"], row)
+
+    def test_methods_are_filtered(self):
+        every = rows(self.fine("list", "methods", "--format", "csv"))
+        def keeps(row, guarantee):
+            return guarantee in [word.split(":")[0] for word in row["guarantees"].split()]
+        for options, passes in [
+                (["--problem", "subdivision"], lambda row: row["problem"] == "subdivision"),
+                (["--form", "rational"], lambda row: row["form"] == "rational"),
+                (["--guarantee", "in_hull"], lambda row: keeps(row, "in_hull")),
+                (["compensated_*"], lambda row: row["id"].startswith("compensated_")),
+                (["*horner*", "--form", "bernstein", "--guarantee", "finite"],
+                 lambda row: "horner" in row["id"] and row["form"] == "bernstein" and keeps(row, "finite"))]:
+            with self.subTest(options=options):
+                wanted = [row for row in every if passes(row)]
+                self.assertTrue(0 < len(wanted) < len(every))
+                self.assertEqual(rows(self.fine("list", "methods", *options, "--format", "csv")), wanted)
+                words = self.fine("list", "methods", *options).split()
+                self.assertEqual([row["id"] for row in wanted if row["id"] not in words], [])
+        self.refused(USAGE, ["list", "methods", "no_such_*"], "no method passes all of these filters")
+        self.refused(USAGE, ["list", "methods", "--guarantee", "in_hul"], "did you mean \"in_hull\"?")
+        self.assertIn("in_hull:1", self.fine("list", "methods", "--guarantee", "in_hull"))  # kept up to degree 1 only
 
     def test_others(self):
         shipped = rows(self.fine("list", "suites", "--format", "csv"))

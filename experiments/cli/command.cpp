@@ -109,13 +109,21 @@ class Help : public CLI::Formatter {
 
  private:
   [[nodiscard]] std::string in_column(const std::string& text) const {
-    constexpr std::size_t usual = 80;
-    constexpr std::size_t most_readable = 100;  // longer lines of text are hard to read
     const auto taken = get_column_width() + 2;  // CLI11 indents the options of a group by 2
-    const auto width = std::min(terminal_width(STDOUT_FILENO).value_or(usual), most_readable);
+    const auto width = reading_width();
     return fmt::format("{}", fmt::join(lines_of(text, width - std::min(width, taken)), "\n"));
   }
 };
+
+/// The whole help, with those lines broken that Help leaves as they are, such as the description.
+std::string help_of(const CLI::App& app) {
+  std::istringstream lines(app.help());
+  std::string text;
+  for (std::string line; std::getline(lines, line);)
+    text += length_of(line) <= reading_width() ? line + '\n'
+                                               : wrapped("", line, line.starts_with(' ') ? 6 : 0, reading_width());
+  return text;
+}
 
 [[noreturn]] void refuse(const CLI::App& app, const std::string& what) {
   throw Failure(Exit::usage, "{}; see {} --help", what, full_name(chosen_command(app)));
@@ -156,7 +164,13 @@ Option Option::one_of(const std::vector<std::string>& words) {
     return fmt::format("{} must be one of {}{}", echo(word), fmt::join(words, ", "),
                        suite::nearest(word, words).empty() ? "" : suite::suggestion(word, words));
   });
-  return takes(fmt::format("{}", fmt::join(words, "|")), [words] { return words; });
+  constexpr std::size_t longest = 30;  // of words that name the value in help
+  auto name = fmt::format("{}", fmt::join(words, "|"));
+  if (name.size() > longest) {
+    option_->description(fmt::format("{}: {}", option_->get_description(), fmt::join(words, ", ")));
+    name = option_->get_type_name();
+  }
+  return takes(name, [words] { return words; });
 }
 
 Option Option::within(int least, int most) {
@@ -264,7 +278,7 @@ void Program::run(int argc, const char* const* argv) {
     app_->parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     refuse_mistyped(*app_);
-    fmt::print("{}", app_->help());
+    fmt::print("{}", help_of(*app_));
   } catch (const CLI::CallForVersion& version) {
     refuse_mistyped(*app_);
     fmt::print("{}\n", version.what());

@@ -24,35 +24,38 @@
 namespace bezierbench::cli {
 namespace {
 
-/// The end of the program's help and manual page. docs/terminal.md has the same codes, which a test compares.
+/// The end of the program's help and manual page, for which help2man knows the headings; the examples follow. docs/terminal.md has the same codes, which a test compares.
 constexpr std::string_view exit_codes =
     "Exit codes:\n"
     "  0    success\n"
     "  1    a finding: a gate failed, bytes differ, a bound was violated\n"
     "  2    wrong usage or configuration\n"
     "  3    this machine or build is unfit, or memory is exhausted\n"
-    "  4    input or output failed: no space, no permission, an unreadable or malformed file\n"
+    "  4    input or output failed: no space, no permission, a malformed file\n"
     "  130  interrupted; the same command continues the run\n"
     "\n"
     "Environment:\n"
     "  COLUMNS   the width of help and tables, if it is not that of the terminal\n"
-    "  NO_COLOR  if not empty, no colours are used";
+    "  NO_COLOR  if not empty, no colours are used\n"
+    "\n"
+    "Examples:\n";
 
-/// What the program prints when it is called without arguments: examples, one line each, two on a narrow terminal.
-std::string welcome() {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> examples{{
-      {"bezierbench list suites", "list the suites and their cost"},
-      {"bezierbench run report --out b", "repeat the source report"},
-      {"bezierbench choose b --degree 4 --tolerance 10", "rank its methods"},
-      {"bezierbench curve eval --curve c.csv --t 0.5", "one curve and its true errors"},
-      {"bezierbench --help", "list all commands"},
-  }};
-  constexpr std::size_t indent = 48;
-  constexpr std::size_t narrow = 80;
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> examples{{
+    {"bezierbench list suites", "suites and their cost"},
+    {"bezierbench run report --out b", "repeat the report"},
+    {"bezierbench choose b --degree 4 --tolerance 10 --unit u", "rank its methods"},
+    {"bezierbench curve eval --curve c.csv --t 0.5", "one curve's errors"},
+    {"bezierbench --help", "list all commands"},
+}};
+
+/// The examples, one line each, two on a terminal that is narrower than these lines.
+std::string examples_text(std::size_t before) {
+  constexpr std::size_t column = 57;
+  constexpr std::size_t usual = 80;
   std::string text;
   for (const auto& [command, meaning] : examples)
-    text += styled(STDOUT_FILENO, fmt::emphasis::bold, command) +
-            (output_width() < narrow ? "\n    " : std::string(indent - command.size(), ' ')) + std::string(meaning) +
+    text += std::string(before, ' ') + styled(STDOUT_FILENO, fmt::emphasis::bold, command) +
+            (output_width() < usual ? "\n    " : std::string(column - command.size(), ' ')) + std::string(meaning) +
             '\n';
   return text;
 }
@@ -68,7 +71,7 @@ int standard_output_failed() {
 
 int run_program(int argc, char** argv, std::span<const external::OwnMethod> own) {
   if (argc == 1) {
-    fmt::print("{}", welcome());
+    fmt::print("{}", examples_text(0));
     return std::fflush(stdout) == 0 ? static_cast<int>(Exit::fine) : standard_output_failed();
   }
   Program program("bezierbench",
@@ -92,7 +95,7 @@ int run_program(int argc, char** argv, std::span<const external::OwnMethod> own)
   add_judge(root, exit);
   add_curve(root, exit);
   add_curves(root, exit);
-  root.footer(std::string(exit_codes));  // commands that are added later would inherit it
+  root.footer(std::string(exit_codes) + examples_text(2));  // commands that are added later would inherit it
   program.run(argc, argv);
   if (!std::cout.flush() || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return standard_output_failed();
   return static_cast<int>(exit);

@@ -153,8 +153,11 @@ std::string ending_line(const Outcome& outcome) {
 }
 
 void note(const std::string& line, std::string_view head) {
+  constexpr std::size_t indent = 4;
+  const auto width = isatty(STDERR_FILENO) != 0 ? terminal_width(STDERR_FILENO) : std::nullopt;
+  const auto text = wrapped(head, printable(line), indent, width.value_or(SIZE_MAX));
   const auto shown = head.empty() ? std::string() : styled(STDERR_FILENO, fmt::fg(fmt::terminal_color::red), head);
-  std::fputs((shown + printable(line) + '\n').c_str(), stderr);
+  std::fputs((shown + text.substr(head.size())).c_str(), stderr);
 }
 
 }  // namespace bezierbench::run

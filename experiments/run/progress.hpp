@@ -97,7 +97,7 @@ std::string progress_line(const ProgressView& view);
 /// none.
 std::string ending_line(const Outcome& outcome);
 
-/// Writes one line, escaped by reference/number/echo.hpp. `head` is put before it, in colour on a terminal.
+/// Writes one line to standard error, which a terminal gets broken at spaces, escaped by reference/number/echo.hpp. `head` is put before it, in colour on a terminal.
 void note(const std::string& line, std::string_view head = {});
 
 }  // namespace bezierbench::run

@@ -19,7 +19,6 @@
 #include "experiments/cli/commands/commands.hpp"
 #include "experiments/cli/startup/suite_options.hpp"
 #include "experiments/cli/terminal/text.hpp"
-#include "experiments/metric/pareto.hpp"
 #include "experiments/suite/suite.hpp"
 #include "experiments/tables/choices.hpp"
 #include "experiments/terminal.hpp"
@@ -48,6 +47,7 @@ struct JudgedRace {
 };
 
 constexpr std::string_view proved = "proved";
+constexpr std::string_view proved_for_trials = "proved for the trials";
 
 /// A method within the tolerance, with the evidence that it keeps it.
 struct Candidate {
@@ -190,7 +190,7 @@ std::vector<Candidate> candidates_of(const JudgedRace& race, const Wish& wish) {
     const auto within = [&](const std::optional<double>& bound) { return bound && *bound <= wish.tolerance; };
     Candidate one{.choice = &choice, .error = error.observed, .front = fronts[k]};
     const bool by_trials = !within(error.class_bound) && within(error.bound);
-    one.assurance = within(error.class_bound) ? proved : by_trials ? "proved for the trials" : "observed";
+    one.assurance = within(error.class_bound) ? proved : by_trials ? proved_for_trials : "observed";
     one.bound = by_trials || !error.class_bound ? error.bound : error.class_bound;
     one.bound_of = !one.bound ? "" : by_trials || !error.class_bound ? "trials" : "class";
     candidates.push_back(one);
@@ -210,8 +210,8 @@ std::string winner_text(const std::vector<Candidate>& candidates, const JudgedRa
   if (candidates.empty()) return "";
   const auto& best = candidates.front();
   auto text =
-      paragraph(fmt::format("{}, the fastest of {} (of {}) within {} {}", best.choice->method, candidates.size(),
-                            race.group.choices.size(), wish.tolerance_text, wish.unit_words())) +
+      paragraph(fmt::format("{} of {} methods are within {} {}; the fastest: {}", candidates.size(),
+                            race.group.choices.size(), wish.tolerance_text, wish.unit_words(), best.choice->method)) +
       indented(fmt::format("{}; {}", in_few_words(best, wish), best.assurance));
   constexpr std::size_t most_named = 2;
   std::vector<std::string> equals;
@@ -243,27 +243,32 @@ std::string heading_text(const std::vector<JudgedRace>& races, const Wish& wish)
   if (race.cells.size() > most_cells) text += indented(fmt::format("and {} more", race.cells.size() - most_cells));
   if (races.size() > 1) text += paragraph("other timing studies, see --study:");
   for (std::size_t k = 1; k < races.size(); ++k) text += indented(timed_curves(races[k]));
+  if (wish.unit == "u")
+    text += paragraph(fmt::format("error, bound: in u p~ = 2^-{} sum |b_i| B_i(t)", group.scalar == "float" ? 24 : 53));
   const auto scope =
       wish.unit == "u" ? fmt::format(" with p~ of at least {}", brief(least_p_tilde(group, race.of))) : "";
-  return text + paragraph(fmt::format("proved: for every such curve and t{}", scope)) +
-         paragraph("proved for the trials: for the inputs that were judged") +
+  return text +
          paragraph(
-             "ratio: of the time to that of the method named in the heading, measured side by side; ns: about, on "
-             "the machine of the bundle") +
-         paragraph("pareto: no other method is both faster and more accurate; unresolved: the times do not decide") +
-         "\n";
+             fmt::format("within: proved for every such curve and t{}; trials: proved for the judged inputs only; "
+                         "observed: on these inputs, without a proof",
+                         scope)) +
+         paragraph(
+             fmt::format("ratio: of the time to that of {}, measured side by side; ns, in a wide terminal: about, "
+                         "on the machine of the bundle",
+                         group.choices.front().relative_to)) +
+         paragraph("*: no other method is both faster and more accurate; ?: the times do not decide that") + "\n";
 }
 
 std::string methods_table(const std::vector<Candidate>& candidates) {
-  const auto& relative_to = candidates.empty() ? std::string() : candidates.front().choice->relative_to;
-  std::vector<std::vector<std::string>> lines{
-      {"method", "ratio to " + relative_to, "instructions", "ns", "error", "bound", "tolerance", "pareto"}};
+  std::vector<std::vector<std::string>> lines{{"  method", "ratio", "error", "bound", "within", "instructions", "ns"}};
   for (const auto& one : candidates)
-    lines.push_back({one.choice->method, ratio_text(*one.choice),
-                     one.choice->instructions ? brief(*one.choice->instructions) : "", brief(one.choice->ns.median),
-                     brief(one.error), one.bound ? brief(*one.bound) : "", std::string(one.assurance),
-                     std::string(metric::name(one.front))});
-  return fitted(std::move(lines), terminal_width(STDOUT_FILENO));
+    lines.push_back({marked(one.choice->method, one.front), ratio_text(*one.choice), in_table(one.error),
+                     one.bound ? in_table(*one.bound) : "",
+                     std::string(one.assurance == proved_for_trials ? "trials" : one.assurance),
+                     one.choice->instructions ? in_table(*one.choice->instructions) : "",
+                     in_table(one.choice->ns.median)});
+  constexpr std::size_t optional = 2;  // columns
+  return fitted(std::move(lines), terminal_width(STDOUT_FILENO), optional);
 }
 
 bundle::CsvTable csv_table(const std::vector<Candidate>& candidates, const JudgedRace& race, const Wish& wish) {

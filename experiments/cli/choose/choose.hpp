@@ -13,6 +13,7 @@
 #include "experiments/cli/terminal/text.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/metric/class_bound.hpp"
+#include "experiments/metric/pareto.hpp"
 #include "experiments/suite/suite.hpp"
 #include "experiments/tables/choices.hpp"
 #include "reference/number/echo.hpp"
@@ -64,10 +65,24 @@ Exit choose_companion(const Wish& wish);
 /// The value to four digits.
 inline std::string brief(double value) { return fmt::format("{:.4g}", value); }
 
+/// The value to three digits, for tables; whole numbers up to a million.
+inline std::string in_table(double value) {
+  constexpr double least_whole = 1000;
+  constexpr double most_whole = 1e6;
+  return value >= least_whole && value < most_whole ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
 /// `0.244 [0.24, 0.25]`; empty where there is no ratio.
 inline std::string ratio_text(const tables::Choice& choice) {
   if (!choice.ratio) return "";
-  return fmt::format("{:.3g} [{:.3g}, {:.3g}]", choice.ratio->median, choice.ratio->low, choice.ratio->high);
+  const auto& [median, low, high] = *choice.ratio;
+  return fmt::format("{} [{}, {}]", in_table(median), in_table(low), in_table(high));
+}
+
+/// The method with a mark before it if it is on the front: `* de_casteljau`.
+inline std::string marked(const std::string& method, metric::Front front) {
+  const auto* mark = front == metric::Front::on ? "* " : front == metric::Front::off ? "  " : "? ";
+  return mark + method;
 }
 
 /// The median, or an end, of an interval; empty where there is none.

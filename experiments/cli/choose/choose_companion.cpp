@@ -16,7 +16,6 @@
 #include "experiments/bundle/schema/columns.hpp"
 #include "experiments/cli/choose/choose.hpp"
 #include "experiments/cli/terminal/text.hpp"
-#include "experiments/metric/pareto.hpp"
 #include "experiments/tables/choices.hpp"
 #include "experiments/tables/table_row.hpp"
 #include "experiments/terminal.hpp"
@@ -133,8 +132,8 @@ std::string text_of(const std::vector<Ranked>& ranked, const tables::ChoiceGroup
   std::string text;
   if (faultless > 0) {
     const auto& best = ranked.front();
-    text = paragraph(fmt::format("{}, the fastest of {} (of {}) without a fault in {} trials", best.time->method,
-                                 faultless, ranked.size(), best.judged->trials)) +
+    text = paragraph(fmt::format("{} of {} methods are without a fault in {} trials; the fastest: {}", faultless,
+                                 ranked.size(), best.judged->trials, best.time->method)) +
            indented(fmt::format("{} times the time of {}; {}: {}", ratio_text(*best.time), relative_to,
                                 declared.measure_words, brief(best.judged->measure))) +
            "\n";
@@ -148,15 +147,14 @@ std::string text_of(const std::vector<Ranked>& ranked, const tables::ChoiceGroup
       paragraph(fmt::format("a fault: a trial that is counted in {}{}", fmt::join(declared.faults, ", "),
                             within.empty() ? "" : "; a " + within + " above the tolerance")) +
       paragraph(fmt::format("{}: {}, the largest of the rows", declared.measure, declared.measure_words)) +
-      paragraph(
-          fmt::format("pareto: no other method without a fault is both faster and better in {}", declared.measure)) +
+      paragraph(fmt::format("ratio: of the time to that of {}, measured side by side", relative_to)) +
+      paragraph(fmt::format("*: no other method without a fault is both faster and better in {}", declared.measure)) +
       "\n";
-  std::vector<std::vector<std::string>> lines{
-      {"method", "ratio to " + relative_to, "ns", declared.measure, "faults", "pareto"}};
+  std::vector<std::vector<std::string>> lines{{"  method", "ratio", declared.measure, "faults", "ns"}};
   for (const auto& one : ranked)
-    lines.push_back({one.time->method, ratio_text(*one.time), brief(one.time->ns.median), brief(one.judged->measure),
-                     one.judged->faults.empty() ? "none" : faults_text(*one.judged), std::string(name(one.front))});
-  return text + fitted(std::move(lines), terminal_width(STDOUT_FILENO));
+    lines.push_back({marked(one.time->method, one.front), ratio_text(*one.time), in_table(one.judged->measure),
+                     one.judged->faults.empty() ? "none" : faults_text(*one.judged), in_table(one.time->ns.median)});
+  return text + fitted(std::move(lines), terminal_width(STDOUT_FILENO), 1);
 }
 
 std::string csv_of(const std::vector<Ranked>& ranked, const bundle::DeclaredTable& declared) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -16,6 +17,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/evaluate/guarantee.hpp"
 #include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/bundle/atomic_file.hpp"
 #include "experiments/bundle/csv.hpp"
@@ -88,21 +90,107 @@ std::string fitted_csv(const std::string& csv, const std::vector<std::string>& f
   return fitted(std::move(lines), terminal_width(STDOUT_FILENO));
 }
 
+void add_format(Command command, std::string& format) {
+  command.option("--format", format, "text fits the terminal, csv is for programs").one_of({"text", "csv"});
+}
+
 void add_topic(Command list, const std::string& topic, const std::string& help, const std::function<std::string()>& csv,
                const std::shared_ptr<std::string>& format, const std::vector<std::string>& for_programs = {}) {
   auto command = list.command(topic, help);
-  command.option("--format", *format, "text fits the terminal, csv is for programs").one_of({"text", "csv"});
+  add_format(command, *format);
   command.action([csv, format, for_programs] {
     const auto text = csv();
     fmt::print("{}", *format == "csv" ? text : fitted_csv(text, for_programs));
   });
 }
 
+/// Which methods are listed; an empty text filters nothing.
+struct MethodFilter {
+  std::string glob;
+  std::string problem;
+  std::string form;
+  std::string guarantee;
+  std::string format = "text";
+
+  [[nodiscard]] bool takes(const bundle::CsvDocument& methods, std::size_t row) const {
+    const auto is = [&](const char* column, const std::string& word) {
+      return word.empty() || methods.at(row, column) == word;
+    };
+    return (glob.empty() || suite::matches(glob, methods.at(row, "id"))) && is("problem", problem) &&
+           is("form", form) && (guarantee.empty() || !kept(methods, row).empty());
+  }
+
+  /// The word of the guarantee in the row, such as `monotone:1`, which is kept up to degree 1; empty without one.
+  [[nodiscard]] std::string kept(const bundle::CsvDocument& methods, std::size_t row) const {
+    std::istringstream words(methods.at(row, "guarantees"));
+    for (std::string word; words >> word;)
+      if (word.substr(0, word.find(':')) == guarantee) return word;
+    return "";
+  }
+};
+
+/// A table for each problem, with few of the columns.
+std::string methods_text(const bundle::CsvDocument& methods, const std::vector<std::size_t>& chosen,
+                         const MethodFilter& filter) {
+  std::map<std::string, std::vector<std::vector<std::string>>> tables;
+  std::vector<std::string> problems;
+  for (const auto row : chosen) {
+    const auto problem = methods.at(row, "problem");
+    auto& lines = tables[problem];
+    if (lines.empty()) {
+      problems.push_back(problem);
+      lines.push_back({problem, "form", "bound", filter.guarantee.empty() ? "cost" : "keeps"});
+    }
+    lines.push_back({methods.at(row, "id"), methods.at(row, "form"), methods.at(row, "bound"),
+                     filter.guarantee.empty() ? methods.at(row, "flops") : filter.kept(methods, row)});
+  }
+  std::string text;
+  for (const auto& problem : problems)
+    text += (text.empty() ? "" : "\n") + fitted(std::move(tables[problem]), terminal_width(STDOUT_FILENO));
+  return text;
+}
+
+void print_methods(const std::string& csv, const MethodFilter& filter) {
+  const auto methods = bundle::parse_csv(csv, "methods");
+  bundle::CsvTable table(methods.header());
+  std::vector<std::size_t> chosen;
+  for (std::size_t row = 0; row < methods.row_count(); ++row) {
+    if (!filter.takes(methods, row)) continue;
+    chosen.push_back(row);
+    table.add_row(methods.row(row));
+  }
+  if (chosen.empty()) throw Failure(Exit::usage, "no method passes all of these filters; remove one of them");
+  fmt::print("{}", filter.format == "csv" ? table.text() : methods_text(methods, chosen, filter));
+}
+
+std::vector<std::string> names_of_problems() {
+  std::vector<std::string> names;
+  for (int k = 0; !name(static_cast<Problem>(k)).empty(); ++k) names.emplace_back(name(static_cast<Problem>(k)));
+  return names;
+}
+
+std::vector<std::string> names_of_properties() {
+  std::vector<std::string> names;
+  for (const auto property : properties) names.emplace_back(name(property));
+  return names;
+}
+
+void add_methods(Command list, const std::function<std::string()>& csv) {
+  auto filter = std::make_shared<MethodFilter>();
+  auto command =
+      list.command("methods", "methods by problem, with form, bound and cost, as csv with all that is known");
+  command.option("GLOB", filter->glob, "list only methods whose id matches this pattern");
+  command.option("--problem", filter->problem, "list only methods of this problem").one_of(names_of_problems());
+  command.option("--form", filter->form, "list only methods that take this form").one_of(suite::all_words<Form>());
+  command.option("--guarantee", filter->guarantee, "list only methods that are proved to keep this property")
+      .one_of(names_of_properties());
+  add_format(command, filter->format);
+  command.action([csv, filter] { print_methods(csv(), *filter); });
+}
+
 using Json = nlohmann::ordered_json;
 using suite::Field;
 using suite::Kind;
-
-constexpr std::size_t columns = 80;
 
 template <class Enum>
 std::string words_of() {
@@ -151,7 +239,7 @@ std::string key_text(const Kind& kind, const Field& field) {
   const auto type = std::visit(TypeText(), field.value(default_study(kind)));
   const auto example = fmt::format("{} = {}", field.key, example_of(kind, field));
   return wrapped(fmt::format("  {}: ", field.key),
-                 fmt::format("{}; {}; {}", field.meaning, type, default_of(kind, field)), 6, columns) +
+                 fmt::format("{}; {}; {}", field.meaning, type, default_of(kind, field)), 6, reading_width()) +
          fmt::format("      {}\n", example);
 }
 
@@ -182,9 +270,9 @@ std::vector<std::string> restrictions_of(const Kind& kind) {
 
 /// The description of a kind: its own keys, then its restrictions on the others.
 std::string own_text(const Kind& kind) {
-  std::string text = wrapped(fmt::format("{}: ", kind.id), kind.about, 4, columns);
+  std::string text = wrapped(fmt::format("{}: ", kind.id), kind.about, 4, reading_width());
   for (const Field& field : kind.own) text += key_text(kind, field);
-  for (const auto& line : restrictions_of(kind)) text += wrapped("  ", line, 6, columns);
+  for (const auto& line : restrictions_of(kind)) text += wrapped("  ", line, 6, reading_width());
   return text;
 }
 
@@ -397,7 +485,7 @@ void add_list(Command program, Exit& /*exit*/, std::span<const external::OwnMeth
     for (const auto& method : own) records.push_back(external::own(method, {}, nullptr)->record());
     return methods_csv(records);
   };
-  add_topic(list, "methods", "evaluators, converted paths and conversions", methods, format);
+  add_methods(list, methods);
   add_topic(list, "suites", "the shipped suites, with the processor time that each takes in seconds", suites_csv,
             format, {"file", "seed"});
   add_topic(list, "studies", "the studies of the shipped suites", studies_csv, format);

@@ -33,7 +33,7 @@ namespace {
 void tell_ending(const run::Outcome& outcome, const std::string& out, bool quiet) {
   if (quiet || outcome.ending != run::Ending::complete) return;
   run::note(fmt::format("{}: {}", out, run::ending_line(outcome)));
-  run::note(fmt::format("next: {} report {}", this_program(), shell_word(out)));
+  run::note(fmt::format("next: `{} report {}`", this_program(), shell_word(out)));
 }
 
 struct RunOptions {

@@ -72,7 +72,7 @@ class Installed(Case):
         self.assertEqual(ran.returncode, FINE, ran.stderr)
         told, following = ran.stderr.decode().splitlines()
         self.assertIn("b: complete", told)
-        self.assertEqual(following, f"next: {self.program} report b")
+        self.assertEqual(following, f"next: `{self.program} report b`")
         self.assertEqual(self.run_installed("verify", "b").returncode, FINE)
         rendered = self.run_installed("report", "b", "--out", "pages")
         self.assertEqual(rendered.returncode, FINE, rendered.stderr)

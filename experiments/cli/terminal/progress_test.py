@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from program_case import FINE, PATIENCE, PROGRAM, ROOT, STUDY, TIMING, USAGE, Case  # noqa: E402
+from program_case import FINE, PATIENCE, PROGRAM, ROOT, STUDY, TIMING, USAGE, Case, rows  # noqa: E402
 
 SHORT_TIMING = {**TIMING, "methods": '["direct", "de_casteljau"]', "modes": '["point"]'}
 QUICK = ["--trials", "10", "--set", "replicates=2", "--only", "2.3.1-*", "--no-timing"]
@@ -71,19 +71,54 @@ class Terminal(Case):
                 self.assertEqual(code, FINE)
                 self.assertLessEqual(max(map(len, text.splitlines())), 80)
                 words = set(text.replace(";", "").split())
-                self.assertEqual([word for word in wide.replace(";", "").split() if word not in words], [])
+                self.assertEqual([word for line in wide.splitlines()[1:] for word in line.replace(";", "").split()
+                                  if word not in words], [])
                 narrow = self.fine("list", topic, env={**os.environ, "COLUMNS": "100"})
                 self.assertLessEqual(max(map(len, narrow.splitlines())), 100)
                 self.assertEqual(self.fine("list", topic, "--format", "csv", env={**os.environ, "COLUMNS": "40"}),
                                  self.fine("list", topic, "--format", "csv"))
 
     def test_help_fits(self):
-        for arguments in (["--help"], ["run", "--help"], ["curve", "at-length", "--help"], ["compare", "--help"]):
+        def commands(words):
+            yield [*words, "--help"]
+            for line in self.fine("complete", *words, "").splitlines():
+                if "\t" in line:  # values of arguments have no meaning
+                    yield from commands([*words, line.split("\t")[0]])
+        every = list(commands([]))
+        self.assertGreater(len(every), 35)
+        for arguments in every:
             for columns in (60, 80, 120):
-                text = self.fine(*arguments, env={**os.environ, "COLUMNS": str(columns)})
-                lines = re.split("\n(?:Exit codes:|The keys of)", text)[0].splitlines()[2:]  # below description and usage
+                lines = self.fine(*arguments, env={**os.environ, "COLUMNS": str(columns)}).splitlines()
                 self.assertGreater(len(lines), 3)
-                self.assertLessEqual(max(map(len, lines)), columns, arguments)
+                self.assertEqual([line for line in lines if len(line) > columns], [], arguments)
+
+    def test_errors_are_broken_at_words_on_a_terminal_only(self):
+        bundle = ROOT / "results/answers"
+        for arguments in (["choose", bundle, "--degree", "4", "--tolerance", "5"], ["list", "kinds", "no_kind"],
+                          ["run", "no_suite", "--out", "b"], ["verify", "no_bundle"]):
+            with self.subTest(arguments=arguments):
+                code, text = self.on_terminal(*map(str, arguments), NO_COLOR="1")
+                piped = self.run_program(*arguments, env={**os.environ, "COLUMNS": "80"})
+                self.assertEqual(code, piped.returncode)
+                self.assert_one_line(piped)
+                message = piped.stderr.decode()
+                self.assertEqual(text.split(), message.split())
+                whole = [piece.strip("\n") for piece in re.findall("`.*?`", message)]  # can be pasted
+                for line in text.splitlines():
+                    self.assertTrue(len(line) <= 80 or line.strip().strip(";") in (*whole, *message.split()), line)
+                for command in whole:
+                    self.assertIn(command, text)
+
+    def test_choose_fits_and_has_a_line_for_each_method(self):
+        for unit, tolerance in (("u", "20"), ("coordinate", "1e-15")):
+            asked = ["choose", str(ROOT / "results/answers"), "--degree", "3", "--tolerance", tolerance, "--unit", unit]
+            code, text = self.on_terminal(*asked, NO_COLOR="1")
+            methods = [row["method"] for row in rows(self.run_program(*asked, "--format", "csv").stdout.decode())]
+            lines = text.splitlines()
+            self.assertEqual(code, FINE)
+            self.assertLessEqual(max(map(len, lines)), 80)
+            table = lines[next(at for at, line in enumerate(lines) if line.startswith("  method")) + 1:]
+            self.assertEqual([line[2:].split()[0] for line in table], methods)
 
 
 class WithoutWords(Case):
@@ -129,7 +164,7 @@ class Progress(Case):
         told, following = result.stderr.decode().splitlines()
         self.assertRegex(told, r"^b: complete in .* s: 3 cells, no bound violated, \d+ times, the intervals of their ratios \S+ % wide in the median$")
         self.assertTrue(following.startswith("next: "), following)
-        command = following.removeprefix("next: ")
+        command = following.removeprefix("next: ").strip("`")
         done = subprocess.run(f"{command} --summary", shell=True, cwd=self.folder, check=False, capture_output=True)
         self.assertEqual((done.returncode, done.stderr), (FINE, b""))
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <string_view>
 
 #include "experiments/run/progress.hpp"
@@ -15,89 +16,85 @@
 
 namespace bezierbench::cli {
 
-std::size_t length_of(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
-}
-
 std::size_t output_width() { return terminal_width(STDOUT_FILENO).value_or(SIZE_MAX); }
+
+std::size_t reading_width() {
+  constexpr std::size_t usual = 80;
+  constexpr std::size_t most_readable = 100;  // longer lines of text are hard to read
+  return std::min(terminal_width(STDOUT_FILENO).value_or(usual), most_readable);
+}
 
 std::string padded(std::string_view text, std::size_t width) {
   return std::string(text) + std::string(width - std::min(width, length_of(text)), ' ');
 }
 
-std::string wrapped(std::string_view head, std::string_view text, std::size_t indent, std::size_t width) {
-  std::string all;
-  std::string line(head);
-  bool has_word = false;
-  while (!text.empty()) {
-    const auto word = text.substr(0, std::min(text.find(' '), text.size()));
-    if (has_word && length_of(line) + 1 + length_of(word) > width) {
-      line.erase(line.find_last_not_of(' ') + 1);
-      all += line + '\n';
-      line = std::string(indent, ' ');
-      has_word = false;
-    }
-    line += (has_word ? " " : "") + std::string(word);
-    has_word = true;
-    text.remove_prefix(std::min(word.size() + 1, text.size()));
-  }
-  return all + line + '\n';
+std::string wrapped(std::string_view head, std::string_view text, std::size_t indent) {
+  return wrapped(head, text, indent, output_width());
 }
 
 std::vector<std::string> lines_of(std::string_view text, std::size_t width) {
-  auto all = wrapped("", text, 0, width);
   std::vector<std::string> lines;
-  for (std::size_t end = 0; !all.empty(); all.erase(0, end + 1)) lines.push_back(all.substr(0, end = all.find('\n')));
+  const auto all = wrapped("", text, 0, width);
+  for (std::size_t at = 0; at < all.size(); at = all.find('\n', at) + 1) {
+    auto line = all.substr(at, all.find('\n', at) - at);
+    for (; width > 0 && length_of(line) > width; line.erase(0, width)) lines.push_back(line.substr(0, width));
+    lines.push_back(line);
+  }
   return lines;
 }
 
 namespace {
 
 constexpr std::size_t gap = 2;           // between columns
-constexpr std::size_t least_text = 30;   // characters of a column of broken lines
+constexpr std::size_t least_text = 16;   // characters of a column of broken lines
+constexpr std::size_t least_id = 24;     // of the first column
 constexpr std::size_t indent_below = 4;  // of fields below their row
 
 using Fields = std::vector<std::string>;
 
-struct Layout {
-  std::size_t aligned = 0;  ///< so many columns stand side by side
-  std::vector<std::size_t> widths;
-  std::size_t last_width = 0;  ///< of the last of them, which is broken at spaces
-};
-
-Layout layout_of(const std::vector<Fields>& lines, std::size_t width) {
-  Layout layout;
-  layout.widths.resize(lines.front().size(), 0);
-  for (const auto& line : lines)
-    for (std::size_t k = 0; k < line.size(); ++k) layout.widths[k] = std::max(layout.widths[k], length_of(line[k]));
-  std::size_t used = 0;
-  for (const auto column : layout.widths) {
-    const bool is_last = layout.aligned + 1 == layout.widths.size();
-    const bool fits = used + column <= width;
-    if (!fits && layout.aligned > 0 && !(is_last && used + least_text <= width)) break;
-    layout.last_width = fits ? column : width - std::min(width, used);
-    used += column + gap;
-    ++layout.aligned;
-  }
-  return layout;
+std::size_t sum_with_gaps(const std::vector<std::size_t>& widths, std::size_t columns) {
+  return std::accumulate(widths.begin(), widths.begin() + static_cast<std::ptrdiff_t>(columns), gap * columns) - gap;
 }
 
-std::string aligned_row(const Fields& line, const Layout& layout) {
-  std::string out;
-  std::size_t used = 0;
-  for (std::size_t k = 0; k + 1 < layout.aligned; ++k) {
-    out += padded(line[k], layout.widths[k] + gap);
-    used += layout.widths[k] + gap;
-  }
-  bool first = true;
+/// The widths of the columns that stand side by side: those of their fields where these fit, else the widest columns
+/// are narrowed. Fewer than there are columns where that does not suffice.
+std::vector<std::size_t> widths_of(const std::vector<Fields>& lines, std::size_t width) {
+  std::vector<std::size_t> natural(lines.front().size(), 0);
+  std::vector<std::size_t> least(natural.size(), 0);
+  for (const auto& line : lines)
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      natural[k] = std::max(natural[k], length_of(line[k]));
+      for (const auto& word : lines_of(line[k], 0)) least[k] = std::max(least[k], length_of(word));
+    }
+  for (std::size_t k = 0; k < least.size(); ++k)
+    least[k] =
+        std::min(natural[k], k == 0 ? least_id : std::clamp(least[k], std::min(least_text, natural[k]), natural[k]));
+  std::size_t columns = natural.size();
+  while (columns > 1 && sum_with_gaps(least, columns) > width) --columns;
+  auto widths = natural;
+  for (auto most = *std::ranges::max_element(natural); most > 0 && sum_with_gaps(widths, columns) > width; --most)
+    for (std::size_t k = 0; k < columns; ++k) widths[k] = std::clamp(std::min(natural[k], most), least[k], natural[k]);
+  widths.resize(columns);
+  return widths;
+}
+
+/// A row in as many lines as its longest field needs; a first field that is too long has a line of its own.
+std::string aligned_row(const Fields& line, const std::vector<std::size_t>& widths) {
+  std::vector<std::vector<std::string>> parts;
+  std::size_t height = 1;
   std::string text;
-  for (const auto& part : lines_of(line[layout.aligned - 1], layout.last_width)) {
-    out += (first ? "" : std::string(used, ' ')) + part;
+  for (std::size_t k = 0; k < widths.size(); ++k) {
+    const bool has_own_line = k == 0 && widths.size() > 1 && length_of(line[k]) > widths[k];
+    if (has_own_line) text = line[k] + '\n';
+    parts.push_back(lines_of(has_own_line ? "" : line[k], widths[k]));
+    height = std::max(height, parts.back().size());
+  }
+  for (std::size_t row = 0; row < height; ++row) {
+    std::string out;
+    for (std::size_t k = 0; k < widths.size(); ++k)
+      out += padded(row < parts[k].size() ? parts[k][row] : "", widths[k] + gap);
     out.erase(out.find_last_not_of(' ') + 1);
     text += out + '\n';
-    out.clear();
-    first = false;
   }
   return text;
 }
@@ -113,18 +110,23 @@ std::string fields_below(const Fields& header, const Fields& line, std::size_t f
 
 }  // namespace
 
-std::string fitted(std::vector<Fields> lines, std::optional<std::size_t> width) {
+std::string fitted(std::vector<Fields> lines, std::optional<std::size_t> width, std::size_t optional) {
   for (auto& line : lines)
     for (auto& field : line) field = printable(field);
-  const auto& header = lines.front();
   const auto most = width.value_or(SIZE_MAX);
-  const auto layout = layout_of(lines, most);
-  auto head = aligned_row(header, layout);
+  const auto natural = widths_of(lines, SIZE_MAX);
+  for (auto columns = natural.size(); optional > 0 && sum_with_gaps(natural, columns) > most; --optional) {
+    --columns;
+    for (auto& line : lines) line.pop_back();
+  }
+  const auto& header = lines.front();
+  const auto widths = widths_of(lines, most);
+  auto head = aligned_row(header, widths);
   head.pop_back();
   std::string text = styled(STDOUT_FILENO, fmt::emphasis::bold, head) + '\n';
   for (std::size_t row = 1; row < lines.size(); ++row) {
-    text += aligned_row(lines[row], layout);
-    if (const auto rest = fields_below(header, lines[row], layout.aligned); !rest.empty())
+    text += aligned_row(lines[row], widths);
+    if (const auto rest = fields_below(header, lines[row], widths.size()); !rest.empty())
       text += wrapped(std::string(indent_below, ' '), rest, indent_below, most);
   }
   return text;

@@ -27,12 +27,33 @@ TEST(Fitted, TheLastColumnIsBroken) {
 }
 
 TEST(Fitted, WhereItWouldBeNarrowItGoesBelow) {
-  EXPECT_EQ(fitted(table, 30),
+  EXPECT_EQ(fitted(table, 24),
             "id   n\n"
             "a    10\n"
-            "    one two three four five\n"
-            "    six seven eight nine ten\n"
+            "    one two three four\n"
+            "    five six seven eight\n"
+            "    nine ten\n"
             "bcd  2\n");
+}
+
+TEST(Fitted, WideColumnsAreBrokenFirst) {
+  EXPECT_EQ(fitted({{"id", "bound", "cost"}, {"a", "some words that are a bound", "words and a number"}}, 42),
+            "id  bound               cost\n"
+            "a   some words that     words and a number\n"
+            "    are a bound\n");
+}
+
+TEST(Fitted, ALongIdHasALineOfItsOwn) {
+  EXPECT_EQ(fitted({{"id", "n"}, {"an_id_that_is_longer_than_others", "1"}, {"b", "2"}}, 32),
+            "id                             n\n"
+            "an_id_that_is_longer_than_others\n"
+            "                               1\n"
+            "b                              2\n");
+}
+
+TEST(Fitted, OptionalColumnsAreLeftOut) {
+  EXPECT_EQ(fitted({{"id", "n", "m"}, {"a", "1", "2"}}, 8, 2), "id  n  m\na   1  2\n");
+  EXPECT_EQ(fitted({{"id", "n", "m"}, {"a", "1", "2"}}, 5, 1), "id  n\na   1\n");
 }
 
 TEST(Fitted, SeveralFieldsBelowHaveNames) {
@@ -52,7 +73,8 @@ TEST(Wrapped, CountsCharactersNotBytes) {
             5U);
   EXPECT_EQ(wrapped("", "\xc3\xb6\xc3\xb6 \xc3\xb6\xc3\xb6", 0, 5), "\xc3\xb6\xc3\xb6 \xc3\xb6\xc3\xb6\n");
   EXPECT_EQ(wrapped("head: ", "a bb ccc", 2, 10), "head: a bb\n  ccc\n");
-  EXPECT_EQ(wrapped("", "a  bbbb", 2, 4), "a\n  bbbb\n");  // no blank at the end of a line
+  EXPECT_EQ(wrapped("", "do `a b c` now", 2, 6), "do\n  `a b c`\n  now\n");  // a command can be pasted
+  EXPECT_EQ(wrapped("", "a  bbbb", 2, 4), "a\n  bbbb\n");                    // no blank at the end of a line
 }
 
 TEST(ShellWord, CanBePasted) {
