@@ -417,6 +417,7 @@ class Problems(unittest.TestCase):
         for call, words in ((lambda: curve(5), "outside of the domain"), (lambda: curve.insert(3, 3), "knot 3 would stand 3 times; leave 1 of"),
                             (lambda: clamped.insert(2), "knot 2 would stand 4 times"), (lambda: curve.remove(2.5), "knot 2.5 stands 0 times"),
                             (lambda: curve.remove(2), "stands 0 times between the ends"), (lambda: curve.remove(3, 3), "stands 1 times"),
+                            (lambda: bezierbench.Bspline(range(4), [0, 0, 0, 1, 2, 2, 2], [1, 0.5, 0.5, 1]).remove(1, tolerance=9), "weight of the new curve"),
                             (lambda: curve.remove(3, tolerance=-1), "tolerance is -1; give"), (lambda: quarter.derivative(), "with weights"),
                             (lambda: curve.derivative(2), "from 0 to 1"), (lambda: curve.part(3, 3), "start below stop"),
                             (lambda: curve.elevate(1), "curve, 2, to 64"), (lambda: curve.elevate(65), "curve, 2, to 64"),

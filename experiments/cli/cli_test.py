@@ -110,6 +110,8 @@ class Lists(Case):
         suites = {row["id"] for row in shipped}
         self.assertIn("report", suites)
         for row in shipped:
+            self.assertRegex(row["question"], r"^(Which|How|Is) .*\?$", row["id"])
+            self.assertIn(row["question"].split()[-1], self.fine("list", "suites"))
             if not row["id"].endswith("peers"):  # whose time is that of other libraries
                 self.assertGreater(int(row["seconds"]), 0, row["id"])
         studies = rows(self.fine("list", "studies", "--format", "csv"))

@@ -166,6 +166,7 @@ def _load() -> ctypes.CDLL:
 
 library = _load()
 NOT_FINITE = 6
+NO_POINT = 9
 
 
 def interruptible(call: Callable[[], int]) -> int:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Array, address, array_of, parameters, point_rows
-from ._library import BsplineEntry, check, library
+from ._library import NO_POINT, BsplineEntry, Error, check, library
 from .curve_files import FileCurve, copied, taken
 
 
@@ -118,7 +118,10 @@ class Bspline:
 
     def _made(self, call: Any, *arguments: Any, after: tuple[Any, ...] = ()) -> Bspline:
         handle, entry = ctypes.c_void_p(), BsplineEntry()
-        check(call(self._pointer, *arguments, ctypes.byref(handle), *after))
+        status = call(self._pointer, *arguments, ctypes.byref(handle), *after)
+        if status == NO_POINT:
+            raise Error(status, "a weight of the new curve would not be above 0; give weights that differ less")
+        check(status)
         try:
             check(library.bb_bspline_get(handle, ctypes.byref(entry)))
             count = entry.count

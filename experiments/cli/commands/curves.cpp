@@ -73,7 +73,7 @@ void print_groups_csv(const curves::Read& read, const std::vector<metric::CurveG
   bundle::CsvTable table(group_columns);
   for (const auto& group : groups) table.add_row(group_fields(group, false));
   fmt::print("{}", table.text());
-  for (const auto& [why, count] : read.left_out) fmt::print(stderr, "bezierbench: {}\n", left_out_line(why, count));
+  for (const auto& [why, count] : read.left_out) say(left_out_line(why, count));
 }
 
 void describe_curves(const CurvesOptions& options) {
@@ -89,7 +89,9 @@ void describe_curves(const CurvesOptions& options) {
 
 void add_curves(Command program, Exit& /*exit*/) {
   auto options = std::make_shared<CurvesOptions>();
-  auto command = program.command("curves", "say what curves are in files: CSV, SVG, path data, JSON, fonts");
+  auto command = program.command("curves",
+                                 "say what curves are in files: CSV, SVG, path data, JSON, fonts; with other "
+                                 "libraries (docs/peers.md) also STEP and IGES");
   command.option("FILE", options->files, "file of curves; - is standard input").required();
   command.option("--out", options->out, "write them as one set, with hexadecimal numbers").takes("SET.csv");
   command.option("--format", options->format, "csv has all digits").one_of({"text", "csv"});

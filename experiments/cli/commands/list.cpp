@@ -60,11 +60,11 @@ std::vector<Shipped> all_shipped() {
 }
 
 std::string suites_csv() {
-  bundle::CsvTable table({"id", "file", "seed", "studies", "seconds", "title"});
+  bundle::CsvTable table({"id", "file", "seed", "studies", "seconds", "question", "title"});
   for (const auto& [file_name, text, one] : all_shipped()) {
-    const auto seconds = suite::declared_seconds(text);
+    const auto [question, seconds] = suite::declared(text);
     table.add_row({one.id, file_name, std::to_string(one.seed), std::to_string(one.studies.size()),
-                   seconds ? std::to_string(*seconds) : "", one.title});
+                   seconds ? std::to_string(*seconds) : "", question, one.title});
   }
   return table.text();
 }
@@ -384,22 +384,25 @@ std::string suite_schema() {
     definitions[std::string(kind->id)] = kind_schema(*kind, definitions);
     study["oneOf"].push_back({{"$ref", fmt::format("#/definitions/{}", kind->id)}});
   }
-  const Json schema{
-      {"$schema", "http://json-schema.org/draft-07/schema#"},
-      {"title", "Suite of bezierbench"},
-      {"type", "object"},
-      {"required", {"schema_version", "suite", "study"}},
-      {"additionalProperties", false},
-      {"properties",
-       {{"schema_version", {{"const", 1}}},
-        {"suite",
-         {{"type", "object"},
-          {"required", {"id"}},
-          {"additionalProperties", false},
-          {"properties",
-           {{"id", text_schema()}, {"title", text_schema()}, {"seed", whole_schema()}, {"seconds", whole_schema()}}}}},
-        {"study", list_schema(std::move(study))}}},
-      {"definitions", std::move(definitions)}};
+  const Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
+                    {"title", "Suite of bezierbench"},
+                    {"type", "object"},
+                    {"required", {"schema_version", "suite", "study"}},
+                    {"additionalProperties", false},
+                    {"properties",
+                     {{"schema_version", {{"const", 1}}},
+                      {"suite",
+                       {{"type", "object"},
+                        {"required", {"id"}},
+                        {"additionalProperties", false},
+                        {"properties",
+                         {{"id", text_schema()},
+                          {"title", text_schema()},
+                          {"question", text_schema()},
+                          {"seed", whole_schema()},
+                          {"seconds", whole_schema()}}}}},
+                      {"study", list_schema(std::move(study))}}},
+                    {"definitions", std::move(definitions)}};
   return schema.dump(2) + "\n";
 }
 
@@ -486,8 +489,8 @@ void add_list(Command program, Exit& /*exit*/, std::span<const external::OwnMeth
     return methods_csv(records);
   };
   add_methods(list, methods);
-  add_topic(list, "suites", "the shipped suites, with the processor time that each takes in seconds", suites_csv,
-            format, {"file", "seed"});
+  add_topic(list, "suites", "the shipped suites, with the question that each answers and its processor seconds",
+            suites_csv, format, {"file", "seed", "studies", "title"});
   add_topic(list, "studies", "the studies of the shipped suites", studies_csv, format);
   add_kinds(list);
   add_topic(list, "generators", "how random inputs are drawn", generators_csv, format);

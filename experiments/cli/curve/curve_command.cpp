@@ -28,7 +28,7 @@ constexpr std::chrono::seconds without_a_word{3};
 void CurveOptions::add_to(Command command) {
   command
       .option("--curve", file,
-              "file of curves (CSV, SVG, path data, JSON, fonts), - for standard input; FILE#ID selects a curve by its "
+              "file of curves (see bezierbench curves), - for standard input; FILE#ID selects a curve by its "
               "id or its number from 0, or a path")
       .takes(file_value);
   command.option("--path", path, "SVG path data, in place of --curve").takes("'M0,0 C...'");

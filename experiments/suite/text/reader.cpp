@@ -49,7 +49,7 @@ class Reader {
       const toml::node* head = root.get("suite");
       if (head == nullptr) fail(root, "[suite] is missing; add it with id, title and seed");
       if (!head->is_table()) fail(*head, "suite must be a table; write [suite]");
-      check_keys(*head->as_table(), {"id", "title", "seed", "seconds"});
+      check_keys(*head->as_table(), {"id", "title", "question", "seed", "seconds"});
       suites.push_back(suite(*head->as_table(), root, "[[study]]"));
     }
     return suites;
@@ -238,8 +238,10 @@ Suite read_suite(const std::filesystem::path& file, const Vocabulary& known) {
   return only_one(read_suites(file, known), file.string());
 }
 
-std::optional<std::int64_t> declared_seconds(std::string_view text) {
-  return toml::parse(text)["suite"]["seconds"].value<std::int64_t>();
+Declared declared(std::string_view text) {
+  const auto document = toml::parse(text);
+  const auto suite = document["suite"];
+  return {suite["question"].value_or(std::string()), suite["seconds"].value<std::int64_t>()};
 }
 
 std::string to_toml(std::span<const Suite> suites) {

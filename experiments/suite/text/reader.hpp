@@ -32,10 +32,15 @@ Suite parse_suite(std::string_view text, std::string_view file_name, const Vocab
 /// The only suite of a file. Throws Failure(Exit::usage) where there are several.
 Suite read_suite(const std::filesystem::path& file, const Vocabulary& known);
 
-/// The `seconds` of a document with one suite: what all its studies take of processor time, as its author measured it.
-/// It does not describe what a run does, so a Suite has no such member, and a resolved suite no such key. Empty where
-/// it is left out. The text must be one that parse_suites reads.
-std::optional<std::int64_t> declared_seconds(std::string_view text);
+/// What a document with one suite states for those who choose a suite. It does not describe what a run does, so a Suite
+/// has no such members, and a resolved suite no such keys.
+struct Declared {
+  std::string question;                 ///< that it answers; empty where it is left out
+  std::optional<std::int64_t> seconds;  ///< of processor time for all its studies, as its author measured it
+};
+
+/// The text must be one that parse_suites reads.
+Declared declared(std::string_view text);
 
 /// Suites as TOML that parse_suites reads back to equal values, every key explicit, in a fixed order, doubles in
 /// shortest decimal. Empty values are left out (methods: all that apply; title, modes, published: none). One suite is
