@@ -116,12 +116,13 @@ def candidates(bundle):
 
 
 def ranked(members, cell):
-    """The useful ones before the others. Where there are times, those whose bound is proved to be small come first, then by time; else
-    that with the smallest error."""
+    """The useful ones before the others. Where there are times, those whose bound is proved to be small come first and those that lose digits
+    last, then by time; else that with the smallest error."""
     def key(one):
-        later = cell.mode != NO_TIME and not is_proved_small(one.bound_u, cell.degree, cell.form)
+        timed = cell.mode != NO_TIME
+        later = timed and not is_proved_small(one.bound_u, cell.degree, cell.form)
         size = one.ns if one.ns is not None else one.error_u
-        return not useful(one.error_u, cell.scalar), later, size is None, size if size is not None else 0.0
+        return not useful(one.error_u, cell.scalar), later, timed and lost(one.error_u) != "", size is None, size if size is not None else 0.0
     return sorted(members, key=key)
 
 

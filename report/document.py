@@ -14,7 +14,7 @@ LONG = 40  # lines from which a table scrolls by itself
 # Ids of tables and figures are names of files, targets of links and attributes: from a fixed alphabet, and each but once.
 SAFE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 LONGEST = 120  # characters; with what is added to them they are names of files everywhere
-FIXED = ("content", "left-out", "title", "page-data", "page-script", "picker", "view", "said", "answer-sentence")  # of the page itself
+FIXED = ("content", "left-out", "title", "page-data", "page-script", "picker", "view", "said", "fault", "answer-sentence")  # of the page itself
 
 
 class Block:

@@ -1,12 +1,17 @@
 # SPDX-License-Identifier: MIT
 """Every finding says what the data say, and the opposite where the data are the opposite."""
 
+from pathlib import Path
+import tempfile
 import unittest
+from unittest import mock
 
 from . import fixture
 from .bundle import Row
+from .findings import printed_tables
 from .findings.conclusions import range_bend
 from .findings.finding import ROSTER
+from .findings.printed_times import ratios
 from .findings.roster import GROUPS, find_all, grouped
 from .fixture import changed, evaluators
 
@@ -27,6 +32,8 @@ FLIPS = {
     "forward_substitution": changed(ERROR, {"mean_error": 1e-3}, method="positive_sum:de_casteljau", degree=20),
     "range_bend": changed(SCORE, {"ours_median": 1e-9}, table="2.3.2", method="factorial:power_sum"),
     "round_trip_grid": changed("conversion.csv", {"within_1e-5": 95}, generator="continuous"),
+    "worked_conversions": changed("conversion.csv", {"max_error": 1e-9}, generator="integer"),
+    "times_as_ratios": changed("timing.csv", dict(ratio=0.5, ratio_low=0.4, ratio_high=0.6), study="2.4-polynomial", method="forward_substitution:direct"),
     "de_casteljau_flat": changed(ERROR, {"mean_error": 1e-10, "mean_error_u": 1.0}, method="de_casteljau", study=("2.3.1-bezier", "2.3.3-bezier")),
     "factorial_overflow": changed(ERROR, dict(status="degree_unsupported", mean_error="", max_error="", mean_error_u="", max_error_u="", bound_u=""),
                                   degree=21),
@@ -186,6 +193,28 @@ class Findings(unittest.TestCase):
         self.assertIn("makes a mean error of 3.75e-8 and the evaluation one of 1.50e-7 at R = 100; at R = 1e6 they make 1.25e-4 and 5.00e-4",
                       range_bend(bundle).detail[2])
 
+    def test_a_wrong_worked_conversion_is_seen(self):
+        with tempfile.TemporaryDirectory() as place, mock.patch.object(printed_tables, "WORKED", Path(place, "worked_conversions.csv")):
+            whole = Path(__file__).parent.parent.joinpath("reference/published/worked_conversions.csv").read_text(encoding="utf-8")
+            printed_tables.WORKED.write_text(whole.replace("0 3 -3 0", "0 3 3 0"), encoding="utf-8")
+            found = _decided("worked_conversions", None)
+        self.assertFalse(found.holds)
+        self.assertIn("4 of the 5 worked conversions are exact", found.headline)
+
+    def test_every_verdict_of_a_ratio_of_printed_times(self):
+        """Table 2.4 prints whole steps of a clock: 7 over 1 may have been 3 times and more, 7 over 7 from 3/4 to 4/3. Above it, ours."""
+        def verdicts(printed, ours, slower="forward_substitution:direct", faster="power_sum"):
+            def change(at, row):
+                if at == "scorecard_timing.csv" and row["method"] in (slower, faster):
+                    row["published"] = printed[row["method"] == faster]
+                if at == "timing.csv" and row["study"] == "2.4-polynomial" and row["method"] == slower:
+                    row.update(ratio=ours, ratio_low=0.99 * ours, ratio_high=1.01 * ours)
+            return {one.verdict for one in ratios(fixture.bundle(change)) if (one.slower["method"], one.faster["method"]) == (slower, faster)}
+        for printed, ours, wanted in (((7, 1), 5, "agrees"), ((7, 1), 2.9, "close"), ((7, 1), 1.2, "kept"), ((7, 1), 0.5, "reversed"), ((1, 1), 5, "untestable"),
+                                      ((7, 7), 0.7, "close"), ((7, 7), 3, "apart"), ((13, 7), 1.9, "agrees"), ((13, 7), 5, "kept"), ((0, 0), 1, "untestable"),
+                                      ((0, 3), 0.7, "close"), ((0, 5), 2, "reversed")):
+            self.assertEqual(verdicts(printed, ours), {wanted}, (printed, ours))
+
     def test_printed_errors_are_compared_at_their_own_degrees(self):
         found = _decided("de_casteljau_flat", changed(ERROR, dict(method="de_casteljau", degree=50, mean_error=1.0, mean_error_u=1e9),
                                                       study="truth-bezier", method="direct", degree=21))
@@ -218,9 +247,10 @@ class Findings(unittest.TestCase):
 
     def test_a_missing_file_leaves_undecided(self):
         found, undecided = find_all(fixture.bundle(without=("conversion.csv", "scorecard_timing.csv")))
-        self.assertEqual({name for name, _ in undecided}, {"round_trip_grid", "timings_quantised", "time_order", "conversion_norm", "recommended"})
+        self.assertEqual({name for name, _ in undecided}, {"round_trip_grid", "timings_quantised", "time_order", "conversion_norm", "recommended",
+                                                          "worked_conversions", "times_as_ratios"})
         self.assertIn("the bundle has no `conversion.csv`", dict(undecided)["round_trip_grid"])
-        self.assertEqual(len(found), len(ON_DRAWN) - 5)
+        self.assertEqual(len(found), len(ON_DRAWN) - 7)
         # what is about any bundle is left out where it cannot be decided
         self.assertEqual(find_all(fixture.bundle(without=tuple(fixture.FILES))), ([], []))
 

@@ -42,9 +42,9 @@ class Chapters(unittest.TestCase):
         tables = {problem: _tables(own) for problem, own in blocks.items()}
         for problem, study, methods, _ in COMPANIONS:
             self.assertEqual({g.key for g in tables[problem][f"timing-{study}"].groups}, set(methods), study)
-        self.assertEqual(set(tables["evaluation"]), {"timing-2.4-bezier", "timing-peers-speed"})
+        self.assertEqual(set(tables["evaluation"]), {"timing-2.4-bezier", "timing-2.4-polynomial", "timing-peers-speed"})
         captions = [table.caption for own in tables.values() for table in own.values()]
-        self.assertEqual((len(captions), len(set(captions))), (len(COMPANIONS) + 2, len(COMPANIONS) + 2))
+        self.assertEqual((len(captions), len(set(captions))), (len(COMPANIONS) + 3, len(COMPANIONS) + 3))
         for f in found:
             if f.suite.startswith("companion_"):
                 shown = [problem for problem, own in blocks.items() for b in own if b.kind == "finding" and b.id == f.id]
@@ -139,8 +139,8 @@ class Limits(unittest.TestCase):
             self.assertIsNone(reading_load(bundle), bundle.machine)
 
     def test_says_whether_the_orders_of_the_report_hold_at_the_limits(self):
-        bundle = fixture.bundle(changed("timing.csv", {"limit_ns": 1.0}, study="2.4-bezier", degree=DEGREES))
-        base = bundle["timing.csv"].select(study="2.4-bezier", degree=4)[0]
+        bundle = fixture.bundle(changed("timing.csv", {"limit_ns": 1.0}, study="2.4-bezier", degree=DEGREES, mode="point"))
+        base = bundle["timing.csv"].select(study="2.4-bezier", degree=4, mode="point")[0]
         for method, ns in (("de_casteljau", 2.0), ("factorial:power_sum", 1.5)):
             bundle["timing.csv"].rows.append(Row("timing.csv", 2, {**base.values, "method": method, "limit_ns": ns}, {}))
         for ns, held in ((1.5, 0), (3.0, 1)):

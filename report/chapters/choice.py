@@ -64,7 +64,7 @@ def _table(cell, members):
         return f"`{one.method}`", *cells
     head = ("method", *(["ns per point"] if timed else []), "largest observed error, u p~", "proved bound, u p~",
             *(["time against error"] if timed else []))
-    order = "those with a small proved bound first, then by time" if timed else "smallest error first"
+    order = "those with a small proved bound first, those that lose digits last, then by time" if timed else "smallest error first"
     return listed("answer-table", f"Methods for {where(cell)}, {order}", "可选方法", head,
                   [row(one) for one in members if useful(one.error_u, cell.scalar)])
 
@@ -76,8 +76,7 @@ def found(bundle, findings):
     if not decided and not undecided:
         raise Missing("there is nothing to judge")
     if any(f.claim for f in decided):
-        yield Text("“The report” is the source report of this project. Every number and every judgement is computed from the bundle; "
-                   "the rows that decide a statement are listed below it.")
+        yield Text("Every number and every judgement is computed from the bundle; the rows that decide a statement are listed below it.")
     for heading, members in grouped(decided):
         yield Heading(heading)
         if all(f.suite for f in members):  # each stands in full in the chapter of its suite

@@ -4,7 +4,9 @@
 import statistics
 
 from .. import schema
-from ..document import Text, Tile, Tiles
+from ..bundle import Missing
+from ..document import Bullets, Heading, Text, Tile, Tiles
+from ..findings.roster import grouped
 from ..wording import count, large, percent
 from .parts import chapter
 
@@ -12,6 +14,19 @@ COUNTED = {"exhaustive.csv": "points", "easing_floats.csv": "points"}  # the col
 NOT_JUDGED = ("reference.csv", "audit.csv", "worst.csv", "conversion.csv")
 BROKEN = {"bound_violations": ("violation of a proved bound", "violations of proved bounds"),
           "broken_promises": ("broken promise", "broken promises")}
+
+
+@chapter("The verdict on the source report", suite="report")
+def verdict(_bundle, findings):
+    """What is reproduced, then each statement with what the bundle says of it."""
+    decided = [f for f in findings[0] if not f.suite]
+    if not any(f.claim for f in decided):
+        raise Missing("no statement of the source report can be judged")
+    yield Text("“The report” is the source report of this project. Each line is judged from the numbers of this bundle; what decides it stands under "
+               "“What was found”.")
+    for heading, members in grouped(decided):
+        yield Heading(heading)
+        yield Bullets(tuple(f"“{f.claim.rstrip('.')}”{f' ({f.place})' if f.place else ''}: {f.headline}" if f.claim else f.headline for f in members))
 
 
 @chapter("At a glance", whole=True)
@@ -62,8 +77,9 @@ def _judged(bundle):
                     broken[column] = broken.get(column, 0) + row[column]
     yield Tile("judged", large(trials), f"evaluations by {count(len(methods), 'method')} against the exact value")
     total = sum(broken.values())
-    found = [f"1 {one}" if broken[column] == 1 else f"{large(broken[column])} {many}" for column, (one, many) in BROKEN.items() if column in broken]
-    yield Tile("violations", large(total) if broken else "none judged", _joined(*found), "outside" if total else "inside" if broken else "")
+    found = [f"1 {one}" if broken[column] == 1 else f"{large(broken[column])} {many}" for column, (one, many) in BROKEN.items() if broken.get(column)]
+    yield Tile("violations", large(total) if broken else "none judged", _joined(*found) or _joined(*(many for column, (_, many) in BROKEN.items() if column in broken)),
+               "outside" if total else "inside" if broken else "")
 
 
 def _times(bundle):

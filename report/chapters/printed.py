@@ -6,7 +6,9 @@ from collections import Counter
 from ..bundle import Missing
 from ..document import Cell, Definitions, Group, Table, Text
 from ..error_tables import error_tables
-from ..methods import CHINESE, STATISTIC, form, name
+from ..findings.printed_tables import worked
+from ..findings.printed_times import TICK, VERDICTS, ratios, words
+from ..methods import CHINESE, FORM, STATISTIC, form, name
 from ..rows import distinct, grouped
 from ..tables import AXIS, axis_label, listed
 from ..wording import as_printed, general, interval, listing, scientific, shortest
@@ -18,11 +20,12 @@ DISTANCE = "count_within_"
 
 
 def counts(bundle):
-    """{table: Counter of verdicts} over both scorecards, in the order of the files."""
+    """{table: Counter of verdicts}, of errors and counts by cell and of times by the ratio of two."""
     tables = {}
-    for file in FILES:
-        for row in bundle.tables[file].rows if file in bundle else ():
-            tables.setdefault(row["table"], Counter())[row["verdict"]] += 1
+    for row in bundle.tables["scorecard.csv"].rows if "scorecard.csv" in bundle else ():
+        tables.setdefault(row["table"], Counter())[row["verdict"]] += 1
+    if "scorecard_timing.csv" in bundle and "timing.csv" in bundle:
+        tables["2.4"] = Counter(VERDICTS[ratio.verdict][1] for ratio in ratios(bundle))
     if not tables:
         raise Missing("the bundle has no `scorecard.csv`")
     return dict(sorted(tables.items()))
@@ -34,12 +37,13 @@ def scorecard(bundle, _findings):
     yield Text("The band is the middle 90 % of independent repetitions of the report's experiment, with its generator and its yardstick. The "
                "ends of the band come from our repetitions and have an error of their own (99 % limits), and the printed value is rounded. "
                "**inside**: the printed value lies in the band, whatever these errors. **outside**: it lies beyond. **edge**: the errors decide. "
-               "**explained**: it is outside for a stated cause. **untestable**: the printed time is at most one tick of its clock, to which "
-               "almost any time rounds. Times are those of another machine and need not match.")
+               "**explained**: it is outside for a stated cause. The times of table 2.4 are of another machine; what is compared is the ratio of two "
+               "of them: **inside** where it agrees with ours within the steps of the clock, **explained** where the order is kept, **outside** where "
+               "it is not, **untestable** where the clock shows neither.")
     rows = []
     for number, verdicts in counts(bundle).items():
         rows.append((f"Table {number}", *(Cell(str(verdicts[v]), str(verdicts[v]), v if verdicts[v] else "") for v in MARK), str(sum(verdicts.values()))))
-    yield listed("scorecard-counts", "Printed cells by table and verdict", "各表的判定", ("table", *MARK.values(), "cells"), rows)
+    yield listed("scorecard-counts", "Printed cells, and ratios of printed times, by table and verdict", "各表的判定", ("table", *MARK.values(), "cells"), rows)
     if "scorecard.csv" in bundle:
         yield Text("The last range of table 2.3.2 repeats the last degree of table 2.3.1, and two methods can agree to the printed digits, so a "
                    "value can occur several times below.")
@@ -96,6 +100,41 @@ def tables(bundle, _findings):
     ))
     for (number, curve), own in sorted(grouped(rows, "table", "form").items(), key=lambda item: item[0][0]):
         yield _printed_table(number, curve, own)
+    yield _worked()
+    if "scorecard_timing.csv" in bundle and "timing.csv" in bundle:
+        yield from _ratios(bundle)
+
+
+def _worked():
+    """Section 2.2: control points and coefficients axis by axis, with those that are exact."""
+    def text(numbers):
+        return " ".join(map(str, numbers))
+    return listed("worked-conversions", "Section 2.2. Worked conversions, axis by axis", "五组转换算例", ("example", "axis", "control points", "printed coefficients",
+                  "exact coefficients", "printed “correct?”", "verdict"),
+                  [(f"{row['example']}, degree {row['degree']}", row["axis"], row["control_points"], text(printed), text(exact), row["correct"],
+                    Cell("✓ exact", "exact", "inside") if printed == exact else Cell("✗ wrong", "wrong", "outside")) for row, _, printed, exact in worked()])
+
+
+def _ratios(bundle):
+    """Table 2.4 as ratios: for each two methods, degrees across."""
+    for curve, found in grouped(ratios(bundle), "form").items():
+        degrees = sorted({ratio["degree"] for ratio in found})
+
+        def line(own, cell):
+            at = {ratio["degree"]: ratio for ratio in own}
+            return [cell(at[n]) if n in at else Cell() for n in degrees]
+        groups = [Group(label, label, (
+            ("published", line(own, lambda one: Cell(words(*one.printed), " ".join(map(repr, one.printed))))),
+            ("ours", line(own, lambda one: Cell(f"{general(one.ours[1])} [{general(one.ours[0])} – {general(one.ours[2])}]", repr(one.ours[1])))),
+            ("verdict", line(own, _judged)))) for label, own in grouped(found, "label").items()]
+        yield Table(id=f"ratios-2.4-{curve}", caption=f"Table 2.4 as ratios of times, {FORM[curve][0]}: what a clock of {TICK} ms may have shown, and ours with its interval",
+                    caption_zh=f"表 2.4　用时之比（{FORM[curve][1]}）", head=tuple(map(shortest, degrees)), groups=tuple(groups), axis=AXIS["degree"],
+                    group_head="methods", row_head="ratio")
+
+
+def _judged(ratio):
+    text, mark = VERDICTS[ratio.verdict]
+    return Cell(f"{MARK[mark].split()[0]} {text}", ratio.verdict, mark)
 
 
 def _printed_table(number, curve, rows):
@@ -111,7 +150,7 @@ def _printed_table(number, curve, rows):
         groups.append(Group(f"{name(method)}, {en} ({CHINESE.get(method, method)}，{zh})", f"{method} {statistic}", tuple(_quantities(in_order, write))))
         csv_rows += [(method, statistic, quantity, *texts) for quantity in ("published", "ours_median", "ours_p05", "ours_p95", "continuous_median",
                                                                             "against_exact", "prepared_median", "verdict")
-                     if any(texts := [row.text(quantity) for row in in_order])]
+                     if any(texts := [row.text(quantity) for row in in_order]) and (quantity, number) != ("verdict", "2.4")]
     head = tuple(value.removeprefix(DISTANCE) if axis == "statistic" else axis_label(value, axis) for value in values)
     form_en, form_zh = form(curve)
     return Table(id=f"table-{number}-{curve}", caption=f"Table {number}. {english}, {form_en}",
@@ -124,10 +163,11 @@ def _quantities(rows, write):
     def ours(column):
         return [Cell(write(r[column]), r.text(column)) for r in rows]
     printed = as_printed if write is scientific else shortest
-    lines = [("published", [Cell(printed(r["published"]), r.text("published"), r["verdict"] or "") for r in rows]),
+    judged = rows[0]["table"] != "2.4"  # whose times are of another machine; their ratios are judged
+    lines = [("published", [Cell(printed(r["published"]), r.text("published"), judged and r["verdict"] or "") for r in rows]),
              ("ours, median", ours("ours_median")), ("ours, 5–95 %", [_band(r, write) for r in rows]),
              ("continuous inputs", ours("continuous_median")), ("against exact", ours("against_exact")), ("prepared once", ours("prepared_median")),
-             ("verdict", [Cell(MARK.get(r["verdict"], ""), r.text("verdict"), r["verdict"] or "") for r in rows])]
+             ("verdict", [Cell(MARK.get(r["verdict"], ""), r.text("verdict"), r["verdict"] or "") for r in rows if judged])]
     return [(label, cells) for label, cells in lines if any(c.text for c in cells)]
 
 

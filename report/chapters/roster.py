@@ -7,7 +7,7 @@ from ..document import Chapter, Heading, Text, safe, with_unique_ids
 from ..error_tables import error_tables, swept
 from .parts import COMPANION_PEERS, ROSTER, TABLES, replay, study_figure
 
-FIRST = ("opening", "real-curves", "answer")
+FIRST = ("verdict", "opening", "real-curves", "answer")
 LAST = ("comparison", "audit", "method-list", "how-measured", "provenance")
 UNNAMED = "Studies that `suite.toml` does not name"
 

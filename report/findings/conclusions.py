@@ -10,6 +10,7 @@ from ..methods import FORM, IN_STUDIES, name, yardstick
 from ..rows import distinct, grouped
 from ..wording import count, factor, general, interval, large, listing, percent, scientific, shortest, span
 from .finding import degrees, finding, how_many_methods, methods_of, trials_of, verdict
+from .printed_times import ORDERS
 from .printed_tables import EXPONENTIAL, FLAT, accuracy_cells, against_exact, per_degree, printed_degrees, series
 
 
@@ -309,13 +310,6 @@ def _without_factorials(bundle, n):
     ratio = exact[0].number("mean_error") / against_exact(bundle, "de_casteljau", n).number("mean_error")
     return (f"Horner's scheme in Bernstein form has no factorials either: at degree {shortest(n)}, for a prepared curve, it takes "
             f"{general(timed[0][0].number('median_ns') / timed[1][0].number('median_ns'))} of de Casteljau's time with {general(ratio)} times its mean error.")
-
-
-# fastest first, as the report concludes
-ORDERS = {
-    "bernstein": ("direct", "de_casteljau", "factorial:power_sum"),
-    "power": ("power_sum", "forward_substitution:direct", "forward_substitution:de_casteljau"),
-}
 
 
 def _kept(rows, column, order):

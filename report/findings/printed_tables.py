@@ -4,11 +4,13 @@
 from collections import Counter
 from dataclasses import dataclass
 import math
+from pathlib import Path
 
+from .. import files
 from ..bundle import Missing
-from ..rows import grouped
+from ..rows import Row, grouped
 from ..wording import as_printed, count, factor, general, listing, percent, scientific, shortest, span
-from .finding import finding, verdict
+from .finding import finding, trials_of, verdict
 
 BAND = 0.95 - 0.05
 RARE = 0.05  # a probability below which chance does not explain them
@@ -121,6 +123,40 @@ def cells_inside_band(bundle):
         f"The report prints {cells} errors and counts, of which {cells - len(found)} repeat another of the same run: the last range of table 2.3.2 is the last "
         "degree of table 2.3.1, and two methods can agree to the printed digits.",
         rows=[row for event in found if event.verdict != "inside" for row in event.rows])
+
+
+WORKED = Path(__file__).resolve().parents[2] / "reference/published/worked_conversions.csv"
+
+
+def worked():
+    """The worked conversions that the source report prints: [(row, its control points, its coefficients, the coefficients that are exact)], a row
+    for each axis."""
+    columns, lines = files.table(WORKED, files.content(WORKED))
+    rows = [Row(WORKED.name, line, dict(zip(columns, fields)), dict(zip(columns, fields))) for line, fields in lines]
+    return [(row, *(list(map(int, row[c].split())) for c in ("control_points", "coefficients")), _power([int(b) for b in row["control_points"].split()]))
+            for row in rows]
+
+
+def _power(b):
+    """[Report 001], section 1.1, in whole numbers: C(n,j) sum_i (-1)^(j-i) C(j,i) b_i."""
+    return [math.comb(len(b) - 1, j) * sum((-1) ** (j - i) * math.comb(j, i) * b[i] for i in range(j + 1)) for j in range(len(b))]
+
+
+@finding(about="conclusion", claim="The results of the five worked conversions are completely correct.", place="section 2.2, table; section 3.1, paragraph 1")
+def worked_conversions(bundle):
+    """Holds where the printed coefficients are exact, and round trips of whole numbers of the same degrees come back without an error."""
+    found = worked()
+    right = [row for row, _, printed, exact in found if printed == exact]
+    trips = bundle["conversion.csv"].some(study="2.2", generator="integer", degree={float(row["degree"]) for row, *_ in found})
+    largest = max(row.number("max_error") for row in trips)
+    examples = {row["example"] for row, *_ in found}
+    good = examples - {row["example"] for row, *_ in found if row not in right}
+    said = f"{len(good)} of the {len(examples)} worked conversions are exact"
+    return verdict(
+        len(good) == len(examples) and largest == 0, f"{said}, as the report says.", f"{said}; round trips of whole numbers err by up to {scientific(largest)}.",
+        f"The printed coefficients of {len(right)} of {count(len(found), 'axis', 'axes')} are those that follow from the control points in whole numbers.",
+        f"In {trials_of(trips)} round trips of random whole numbers of up to {shortest(max(row.number('coordinate_range') for row in trips))}, of the "
+        f"same degrees, the largest error is {scientific(largest)}.", rows=[*(row for row, *_ in found), *trips])
 
 
 DISTANCE = "1e-5"

@@ -2,7 +2,7 @@
 """All findings, in the order of the page."""
 
 from ..bundle import Missing, decided_by
-from . import printed_tables, conclusions, real_curves, evaluators, conversion, times, curves, splines  # noqa: F401, I001  declare them in this order
+from . import printed_tables, printed_times, conclusions, real_curves, evaluators, conversion, times, curves, splines  # noqa: F401, I001  declare them in this order
 from .finding import ROSTER
 
 

@@ -19,16 +19,28 @@ function chosenCell() {
   return left[0];
 }
 
+// What is wrong with what stands in the field of the tolerance, in words; empty where nothing is.
+function wrong(asked) {
+  if (!asked || /^\+?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(asked)) return "";
+  const why = /^-[\d.]/.test(asked) ? "is negative" : /^\d+,\d+$/.test(asked) ? `has a comma; write ${asked.replace(",", ".")}` : "is not a number; write 5 or 1e-9";
+  return `“${asked}” ${why}. Until then any error is accepted.`;
+}
+
 function tolerance() {
-  const asked = Number(state.get("tolerance"));
-  return state.get("tolerance") && asked >= 0 ? asked : Infinity;
+  const asked = state.get("tolerance") ?? "";
+  return asked && !wrong(asked) ? Number(asked) : Infinity;
+}
+
+const inCoordinates = () => state.get("in") === "coordinate";
+
+function observed(one) {
+  return `observed errors of at most ${inCoordinates() ? `${general(one.error)} coordinate units` : `${general(one.error_u)} u p~`}`;
 }
 
 // In the order of the page, those with a small proved bound first; within a requested tolerance, the fastest first.
 function ranked(cell) {
-  const coordinate = state.get("in") === "coordinate";
   const most = tolerance();
-  const right = cell.methods.filter((one) => useful(cell, one) && (coordinate ? one.error : one.error_u) <= most);
+  const right = cell.methods.filter((one) => useful(cell, one) && (inCoordinates() ? one.error : one.error_u) <= most);
   const size = (one) => one.ns ?? one.error_u;
   return Number.isFinite(most) ? right.sort((a, b) => size(a) - size(b)) : right;
 }
@@ -44,23 +56,26 @@ function lost(error) {
 }
 
 function bounded(one) {
-  const bound = state.get("in") === "coordinate" ? one.bound : one.bound_u;
+  const bound = inCoordinates() ? one.bound : one.bound_u;
   return bound !== null && bound <= tolerance();
 }
 
+// One unit in a sentence.
 function sentence(cell, methods) {
-  const asked = Number.isFinite(tolerance()) ? ` within ${general(tolerance())} ${state.get("in") === "coordinate" ? "coordinate units" : "u p~"}` : "";
+  const unit = inCoordinates() ? "coordinate units" : "u p~";
+  const asked = Number.isFinite(tolerance()) ? ` within ${general(tolerance())} ${unit}` : "";
   if (!methods.length) return `No method of this bundle has its errors${asked || " in a useful range"} here; the tables below list the largest errors of all methods.`;
   const [first] = methods;
+  if (!asked && first.ns !== null) {
+    const limit = inCoordinates() ? "small proved bound" : `proved bound of at most ${general(cell.small)} u p~`;
+    const small = methods.filter((one) => provedSmall(cell, one));
+    if (!small.length) return `No method has a ${limit} here; the table lists the other methods.`;
+    const front = small.filter((one) => one.front === "yes");
+    return `With a ${limit}, fastest first: ${(front.length ? front : small.slice(0, 1)).map((one) => `${one.method} (${general(one.ns)} ns, ${observed(one)})`).join(", ")}.`;
+  }
   const time = first.ns === null ? "" : `, ${general(first.ns)} ns per point`;
   const proved = asked && bounded(first) ? "; its proved bound keeps the tolerance in these trials, too" : asked ? "; this is observed in the trials, not proved" : "";
-  if (!asked && first.ns !== null) {
-    const small = methods.filter((one) => provedSmall(cell, one));
-    if (!small.length) return `No method has a proved bound of at most ${general(cell.small)} u p~ here; the table lists the other methods.`;
-    const front = small.filter((one) => one.front === "yes");
-    return `With a proved bound of at most ${general(cell.small)} u p~, fastest first: ${(front.length ? front : small.slice(0, 1)).map((one) => `${one.method} (${general(one.ns)} ns, observed errors of at most ${general(one.error_u)} u p~)`).join(", ")}.`;
-  }
-  return `${first.ns === null ? "Smallest error" : "Fastest"}${asked}: ${first.method}${time}, observed errors of at most ${general(first.error_u)} u p~${proved}.`;
+  return `${first.ns === null ? "Smallest error" : "Fastest"}${asked}: ${first.method}${time}, ${observed(first)}${lost(first.error_u)}${proved}.`;
 }
 
 function fillTable(cell, methods) {
@@ -74,7 +89,7 @@ function fillTable(cell, methods) {
       td(general(one.error_u) + lost(one.error_u), one.error_u), td(general(one.bound_u), one.bound_u),
       ...(timed ? [td(WORTH.get(one.front) ?? "", one.front, one.front === "yes" && !lost(one.error_u) ? "inside" : "")] : [])))));
   const caption = table.querySelector("caption strong");
-  const order = !timed ? "smallest error first" : Number.isFinite(tolerance()) ? "fastest first" : "those with a small proved bound first, then by time";
+  const order = !timed ? "smallest error first" : Number.isFinite(tolerance()) ? "fastest first" : "those with a small proved bound first, those that lose digits last, then by time";
   caption.textContent = `Methods for ${cell.words}, ${order}`;
   table.querySelectorAll("thead th").forEach((head) => head.removeAttribute("aria-sort"));
 }
@@ -160,8 +175,14 @@ function picker(cell) {
     }
     left = left.filter((one) => one[axis] === cell[axis]);
   }
-  const input = make("input", { inputmode: "decimal", size: 7, placeholder: "any", value: state.get("tolerance") ?? "", change: () => { remember("tolerance", input.value.trim()); showAnswer(false); } });
-  controls.push(make("label", {}, "tolerance ", input),
+  const fault = make("span", { id: "fault", class: "fault", role: "status" });
+  const input = make("input", { inputmode: "decimal", size: 7, placeholder: "any", value: state.get("tolerance") ?? "", "aria-describedby": "fault", input: () => { remember("tolerance", input.value.trim()); check(); showAnswer(false); } });
+  const check = () => {
+    fault.textContent = wrong(input.value.trim());
+    input.setAttribute("aria-invalid", String(fault.textContent !== ""));
+  };
+  check();
+  controls.push(make("label", {}, "tolerance ", input), fault,
     choice("in", [["u", "u p~"], ["coordinate", "coordinate units"]], state.get("in") ?? "u", (chosen) => { remember("in", chosen === "u" ? "" : chosen); showAnswer(false); }));
   const form = make("form", { "aria-label": "What you evaluate", submit: (event) => event.preventDefault() }, ...controls);
   place.replaceChildren(form);
