@@ -110,6 +110,7 @@ class Series:
     name: str
     colour: str
     points: tuple  # of (x, y, words, row or None)
+    alike: tuple = ()  # other methods with the same points
 
 
 @dataclass(frozen=True)
@@ -118,7 +119,7 @@ class Drawing:
     number i has an id that begins with `s<i>-`."""
 
     svg: str
-    png: bytes
+    png: Callable  # () -> bytes, which takes as long again
     series: tuple  # of Series
 
 
@@ -131,10 +132,16 @@ class Figure(Block):
     caption_zh: str
     alt: str
     draw: Callable  # () -> Drawing
+    more: Callable | None = None  # () -> the Figure of all methods, where this one shows some of them
 
     @cached_property
     def drawing(self):
         return self.draw()
+
+    @cached_property
+    def whole(self):
+        """The figure of all methods, as a part of the page alone; None where this is it."""
+        return self.more and replace(self.more(), id=f"{self.id}-all", more=None)
 
 
 @dataclass(frozen=True)

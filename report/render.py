@@ -66,7 +66,7 @@ def files(bundle, chapters, left_out):
         written[f"tables/{table.id}.tex"] = latex.table(table).encode()
     for figure in _of_kind(chapters, "figure"):
         written[f"figures/{figure.id}.svg"] = figure.drawing.svg.encode()
-        written[f"figures/{figure.id}.png"] = figure.drawing.png
+        written[f"figures/{figure.id}.png"] = figure.drawing.png()
     return written
 
 

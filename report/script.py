@@ -9,7 +9,8 @@ from pathlib import Path
 
 from markupsafe import Markup
 
-from .answer import FORMS, LOSING, NO_TIME, ROUNDOFF, USELESS, small
+from .answer import FORMS, LOSING, NO_TIME, ROUNDOFF, USELESS, small, useful
+from .figures.colours import leading, looks
 from .inline import to_plain
 
 PARTS = ("state", "tables", "figures", "answer", "main")
@@ -40,10 +41,10 @@ def data(bundle, chapters):
     blocks = [one for chapter in chapters for one in chapter.blocks]
     answer = next((one for one in blocks if one.kind == "answer"), None)
     replays = _replays(bundle)
-    return {"bundle": _shell_word(bundle.name), "roots": roots(bundle), "colours": _colours(blocks),
-            "answer": _answer(answer) if answer else None,
-            "figures": {one.id: [_series(series, replays) for series in one.drawing.series]
-                        for one in blocks if one.kind == "figure" and one.drawing.series}}
+    methods = _methods(bundle)
+    return {"bundle": _shell_word(bundle.name), "roots": roots(methods), "answer": _answer(bundle, answer) if answer else None,
+            "figures": {one.id: [_series(series, replays, methods) for series in one.drawing.series]
+                        for block in blocks if block.kind == "figure" for one in (block, block.whole) if one and one.drawing.series}}
 
 
 def _shell_word(name):
@@ -51,25 +52,21 @@ def _shell_word(name):
     return name if name.replace("-", "").replace("_", "").replace(".", "").isalnum() and name.isascii() else "BUNDLE"
 
 
-def roots(bundle):
+def _methods(bundle):
+    return {row["method"] for table in bundle.tables.values() if "method" in table.columns for row in table.rows if row["method"]}
+
+
+def roots(methods):
     """{method: the shortest id that it begins with}: `direct_pow` belongs to `direct`."""
-    ids = {row["method"] for table in bundle.tables.values() if "method" in table.columns for row in table.rows if row["method"]}
-    plain = sorted(one for one in ids if ":" not in one)
+    plain = sorted(one for one in methods if ":" not in one)
     return {one: next((root for root in plain if one == root or one.startswith(f"{root}_")), one) for one in plain}
-
-
-def _colours(blocks):
-    if not any(one.kind == "figure" for one in blocks):
-        return []
-    from .figures.canvas import COLOURS  # only where a figure was drawn
-    return list(COLOURS)
 
 
 def _number(value):
     return value if isinstance(value, float) and math.isfinite(value) else None
 
 
-def _answer(answer):
+def _answer(bundle, answer):
     from .chapters.choice import where
     cells = []
     for cell, members in answer.cells.items():
@@ -78,6 +75,10 @@ def _answer(answer):
                         error=_number(one.number("observed_max", "max_error")), bound=_number(one.number("bound", "max_bound")),
                         front=one.front or "", replay=one.replay or "")
                    for one in members]
+        known = [one.method for one in members if useful(one.error_u, cell.scalar)]
+        shown = leading(bundle, known, lambda method, ids=known: ids.index(method))
+        for method, look in looks(bundle, shown + [method for method in known if method not in shown]).items():
+            next(one for one in methods if one["method"] == method).update(colour=look["color"], shape=look["marker"], leads=method in shown)
         cells.append(dict(form=cell.form, degree=cell.degree, mode=cell.mode, scalar=cell.scalar,
                           dimension=cell.dimension, small=small(cell.degree, cell.form), where=cell.where, words=to_plain(where(cell)), methods=methods))
     return dict(cells=cells, first=list(answer.cells).index(answer.first), forms=FORMS, useless=USELESS, losing=LOSING, untimed=NO_TIME,
@@ -92,8 +93,9 @@ def _replays(bundle):
     return {tuple(row[c] for c in KEY): row["worst_id"] for row in bundle.tables["worst.csv"].rows} if "worst.csv" in bundle else {}
 
 
-def _series(series, replays):
+def _series(series, replays, methods):
     def replay(row):
         return (row["search_id"] or replays.get(tuple(row[c] for c in KEY), "")) if row else ""
-    return dict(name=series.name, method=series.name.split(" (")[0], colour=series.colour,
+    own = [one for one in (series.name.split(" (")[0], *series.alike) if one in methods]
+    return dict(name=series.name, methods=own, colour=series.colour,
                 points=[[x, y, words, replay(row)] for x, y, words, row in series.points])

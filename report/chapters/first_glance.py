@@ -17,10 +17,10 @@ BROKEN = {"bound_violations": ("violation of a proved bound", "violations of pro
 
 
 @chapter("The verdict on the source report", suite="report")
-def verdict(_bundle, findings):
+def verdict(bundle, findings):
     """What is reproduced, then each statement with what the bundle says of it."""
     decided = [f for f in findings[0] if not f.suite]
-    if not any(f.claim for f in decided):
+    if not bundle.has_suite("report") or not any(f.claim for f in decided):
         raise Missing("no statement of the source report can be judged")
     yield Text("“The report” is the source report of this project. Each line is judged from the numbers of this bundle; what decides it stands under "
                "“What was found”.")

@@ -21,6 +21,7 @@ from matplotlib.patches import Patch  # noqa: E402
 from matplotlib.ticker import FixedFormatter, FixedLocator, FuncFormatter, LogFormatter, LogLocator, NullLocator  # noqa: E402
 
 from ..document import Drawing, Figure, Series  # noqa: E402
+from ..methods import name  # noqa: E402
 from ..wording import general, shortest  # noqa: E402
 
 # Ink and paper are replaced by the page's colours where a figure is put into the page.
@@ -97,13 +98,17 @@ def reproduced(ax, x, rows, colour, below=False, dashed="continuous_median", dot
         numbers = [row[column] for row in rows]
         return [n / s if isinstance(n, float) else float("nan") for n, s in zip(numbers, over)]
 
-    ax.fill_between(x, values("ours_p05"), values("ours_p95"), color=colour, alpha=0.24, linewidth=0)
-    ax.plot(x, values("ours_median"), color=colour, linewidth=2.9 if below else 1.6)
+    method = name(rows[0]["method"])
+    band = [ax.fill_between(x, values("ours_p05"), values("ours_p95"), color=colour, alpha=0.24, linewidth=0)]
+    median, = ax.plot(x, values("ours_median"), color=colour, linewidth=2.9 if below else 1.6)
     for column, style in ((dashed, DASHED), (dotted, DOTTED)):
         if column and any(row[column] is not None for row in rows):
-            ax.plot(x, values(column), color=colour, linestyle=style, linewidth=2.2 if below else 1.3)
-    ax.plot(x, values("published"), linestyle="none", marker=PRINTED, markersize=9.5 if below else 6, markeredgewidth=1.5,
-            markeredgecolor=colour, markerfacecolor=PAPER, zorder=4)
+            band += ax.plot(x, values(column), color=colour, linestyle=style, linewidth=2.2 if below else 1.3)
+    printed, = ax.plot(x, values("published"), linestyle="none", marker=PRINTED, markersize=9.5 if below else 6, markeredgewidth=1.5,
+                       markeredgecolor=colour, markerfacecolor=PAPER, zorder=4)
+    belongs(method, *band)
+    for line, what in ((median, "ours"), (printed, "printed")):
+        line.series_name, line.prefix = method, f"{what}, "
 
 
 def legend(canvas, methods, dashed="continuous inputs", dotted="against exact"):
@@ -159,7 +164,8 @@ def _all_series(canvas):
             name = _name(artist)
             if name is None or not ax.get_visible():
                 continue
-            colour, points = found.setdefault(name, (to_hex(_colour(artist)), []))
+            colour, points, alike = found.setdefault(name, (to_hex(_colour(artist)), [], []))
+            alike.extend(getattr(artist, "alike", ()))
             order = list(found).index(name)
             artist.set_gid(f"s{order}-{next(numbers)}")
             if not isinstance(artist, Line2D) or getattr(artist, "beside", False):
@@ -169,14 +175,14 @@ def _all_series(canvas):
                 place = ax.transData.transform((x, y)) * scale
                 if not (isinstance(x, (int, float)) and isinstance(y, (int, float)) and all(map(math.isfinite, place))):
                     continue
-                words = reads[at] if reads else f"{across} {_written(ax.xaxis, x)}, {up} {_written(ax.yaxis, y)}"
-                words += f" ({title})" if title else ""
+                words = reads[at] if reads else getattr(artist, "prefix", "") + f"{across} {_written(ax.xaxis, x)}, {up} {_written(ax.yaxis, y)}"
+                words += (f" ({title})" if title else "") + (f"; the same: {', '.join(artist.alike)}" if getattr(artist, "alike", ()) else "")
                 points.append((round(float(place[0]), 1), round(float(height - place[1]), 1), words, rows[at] if rows else None))
     for legend in [*canvas.legends, *(ax.get_legend() for ax in canvas.axes if ax.get_legend())]:
         for text in legend.get_texts():
             if text.get_text() in found:
                 text.set_gid(f"s{list(found).index(text.get_text())}-{next(numbers)}")
-    return tuple(Series(name, colour, tuple(points)) for name, (colour, points) in found.items())
+    return tuple(Series(name, colour, tuple(points), tuple(alike)) for name, (colour, points, alike) in found.items())
 
 
 def _colour(artist):
@@ -186,9 +192,9 @@ def _colour(artist):
     return colour[0] if getattr(colour, "ndim", 1) == 2 else colour
 
 
-def finish(canvas, figure_id, caption, caption_zh, alt, bottom=0.75):
-    """The figure of this canvas, whose lowest `bottom` inches are for legends."""
-    return Figure(id=figure_id, caption=caption, caption_zh=caption_zh, alt=alt, draw=lambda: _draw(canvas, bottom))
+def finish(canvas, figure_id, caption, caption_zh, alt, bottom=0.75, more=None):
+    """The figure of this canvas, whose lowest `bottom` inches are for legends; `more` makes that of all methods where it shows the leading ones."""
+    return Figure(id=figure_id, caption=caption, caption_zh=caption_zh, alt=alt, draw=lambda: _draw(canvas, bottom), more=more)
 
 
 @styled
@@ -201,7 +207,7 @@ def _draw(canvas, bottom):
     series = _all_series(canvas)
     svg = io.StringIO()
     canvas.savefig(svg, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
-    return Drawing(svg=_lean(svg.getvalue()), png=_png(canvas), series=series)
+    return Drawing(svg=_lean(svg.getvalue()), png=functools.partial(styled(_png), canvas), series=series)
 
 
 def _png(canvas):

@@ -6,10 +6,10 @@ from ..findings.conversion import NORMS, SOURCES, UNIT, growth, middle, scale, s
 from ..methods import FORM
 from ..wording import interval, scientific
 from .canvas import COLOURS, DASHED, DOTTED, FAINT, INK, figure, finish, panels
-from .lines import beside, conversion, degree_axis, draw_paths, path_colours, positive, series
+from .colours import chosen, leading, looks
+from .lines import beside, conversion, degree_axis, draw_methods, positive, series
 
 GENERATOR = "continuous"
-STROKES = ("solid", DOTTED, (0, (5, 1.5, 1, 1.5)))  # of the methods that convert nothing
 MARKERS = ("s", "D", "o")
 
 
@@ -25,11 +25,12 @@ def conversion_coefficients(bundle):
     for ax, study in zip(axes[:, 0], studies):
         rows = table.some(study=study, generator=GENERATOR)
         curve = rows[0]["form"]
-        for i, name in enumerate(dict.fromkeys(r["conversion"] for r in rows)):
+        for name, look in looks(bundle, list(dict.fromkeys(r["conversion"] for r in rows))).items():
             own = sorted((r for r in rows if r["conversion"] == name), key=lambda r: r["degree"])
             for column, style, label in (("max_error", "solid", name), ("mean_error", DOTTED, None)):
                 points = [(r["degree"], r[column]) for r in own if positive(r, column)]
-                ax.plot(*zip(*points), color=COLOURS[i % len(COLOURS)], linestyle=style, label=label)
+                line, = ax.plot(*zip(*points), **look, linestyle=style, label=label)
+                line.series_name = name
             words.append(f"{name}: largest {scientific(own[0]['max_error'])} at degree {own[0]['degree']:g}, "
                          f"{scientific(own[-1]['max_error'])} at {own[-1]['degree']:g}")
         title, formula, norm = NORMS[curve]
@@ -47,36 +48,34 @@ def conversion_coefficients(bundle):
 
 
 @figure
-def conversion_interval(bundle):
+def conversion_interval(bundle, whole=False):
     """Mean error against the middle of the interval; the norm is scaled to the worst path's error in the first interval."""
     rows = to_power(bundle)
     degrees = sorted({r["degree"] for r in rows})
     canvas, axes = panels(len(degrees), 1, height=2.5, sharex=True)
     words = []
-    colours = path_colours(r["method"] for r in rows if conversion(r["method"]))
+    found = {degree: series([r for r in rows if r["degree"] == degree], middle, "mean_error") for degree in degrees}
+    methods = list(dict.fromkeys(method for lines in found.values() for method in lines))
+    last = {method: points[-1][1] for lines in found.values() for method, points in lines.items()}
+    shown = methods if whole else leading(bundle, methods, last.get)
+    look = looks(bundle, shown)
     places = sorted({(r["t_min"], r["t_max"]) for r in rows})
-    for ax, degree in zip(axes[:, 0], degrees):
-        lines = series([r for r in rows if r["degree"] == degree], middle, "mean_error")
-        draw_paths(ax, {m: points for m, points in lines.items() if conversion(m)}, colours)
-        given = {m: points for m, points in lines.items() if not conversion(m)}
-        for stroke, (method, points) in zip(STROKES, given.items()):
-            ax.plot(*zip(*points), color=INK, linewidth=1, linestyle=stroke, label=method)
+    for ax, (degree, lines) in zip(axes[:, 0], found.items()):
         worst = max(lines.values(), key=lambda points: points[-1][1])
         start, level = worst[0]
         ax.plot([x for x, _ in worst], [level * growth(start, x, degree) for x, _ in worst], color=INK, linestyle=DASHED,
                 linewidth=1.6, label="(1+2t)^n, scaled")
+        draw_methods(ax, {m: points for m, points in lines.items() if m in shown}, look)
         ax.set_yscale("log")
         ax.set_title(f"degree {degree:g}", loc="left")
         ax.set_ylabel("mean error\n(coordinate units)")
-        beside(ax)
         words.append(f"degree {degree:g}: the worst path goes from {scientific(level)} to {scientific(worst[-1][1])}, "
-                     "(1+2t)^n from "
-                     f"there to {scientific(level * growth(start, worst[-1][0], degree))}")
+                     f"(1+2t)^n from there to {scientific(level * growth(start, worst[-1][0], degree))}")
     axes[-1][0].set_xticks([(a + b) / 2 for a, b in places], [interval(a, b) for a, b in places])
     axes[-1][0].set_xlabel("interval of t")
-    return finish(canvas, "conversion-interval", "Error of paths to power form against the interval of t; (1+2t)^n is scaled to the worst "
-                              "path's error in "
-                  "the first interval", "经幂基求值的误差与参数区间", "; ".join(words) + ".", bottom=0.1)
+    return finish(canvas, "conversion-interval", "Error of paths to power form against the interval of t; (1+2t)^n is scaled to the worst path's error in "
+                  "the first interval" + chosen(shown, methods), "经幂基求值的误差与参数区间", "; ".join(words) + ".", bottom=0.1,
+                  more=(lambda: conversion_interval(bundle, True)) if len(shown) < len(methods) else None)
 
 
 @figure
@@ -94,10 +93,11 @@ def conversion_sources(bundle):
         methods = list(dict.fromkeys(r["method"] for r in own))
         for ax, place in zip(axes[line], (intervals[0], intervals[-1])):
             cells = {r["method"]: r for r in own if r["degree"] == degree and (r["t_min"], r["t_max"]) == place}
-            for k, (column, _) in enumerate(SOURCES):
+            for k, (column, source) in enumerate(SOURCES):
                 points = [(cells[m][column], y) for y, m in enumerate(methods) if m in cells and positive(cells[m], column)]
                 if points:
-                    ax.plot(*zip(*points), linestyle="none", marker=MARKERS[k], markersize=5.5, color=COLOURS[k], alpha=0.9)
+                    marks, = ax.plot(*zip(*points), linestyle="none", marker=MARKERS[k], markersize=5.5, color=COLOURS[k], alpha=0.9)
+                    marks.series_name, marks.reads = source, [f"{methods[y]}: {scientific(value)}" for value, y in points]
             ax.set_yticks(range(len(methods)), methods if ax is axes[line][0] else [""] * len(methods), fontsize=7.5)
             ax.set_ylim(len(methods) - 0.4, -0.6)
             ax.set_xscale("log")

@@ -10,13 +10,13 @@ from ..methods import FORM
 from ..rows import distinct, grouped
 from ..time_tables import fits_with_times
 from ..wording import general, shortest
-from .canvas import COLOURS, FAINT, belongs, figure, finish, panels
-from .lines import beside, draw_methods, looks, positive, sentence_case
+from .canvas import FAINT, belongs, figure, finish, panels
+from .colours import chosen, leading, looks
+from .lines import beside, draw_methods, positive, sentence_case
 
 MEASURED = {"continuous": "random cubics", "integer": "cubics with small whole coordinates: cusps, turns, loops"}
 FITTED = {"samples": "samples of cubics", "noisy": "samples with noise of 2^-10 R", "polyline": "points along control polygons"}
 COSTS = {"max_error": "largest error", "mean_segments": "mean segments"}
-MARKS = ("o", "s", "^", "D", "v", "P", "X")
 PANELS = 3
 
 
@@ -26,9 +26,9 @@ def _by_method(rows, x, y):
             if (points := [(r[x], r[y]) for r in own if positive(r, x) and positive(r, y)])}
 
 
-def _against_cost(figure_id, captions, parts, x, unit, height):
+def _against_cost(bundle, figure_id, captions, parts, x, unit, height):
     """Lines in double logarithmic panels. `parts` are lines of panels, each (title, what goes up, {method: points}); `unit` is that of x."""
-    look = looks(sorted({method for line in parts for *_, methods in line for method in methods}), "o")
+    look = looks(bundle, sorted({method for line in parts for *_, methods in line for method in methods}))
     canvas, axes = panels(len(parts), len(parts[0]), height=height)
     words = []
     for line, shown in zip(axes, parts):
@@ -60,7 +60,7 @@ def _kinds(table, study, column, kinds, x, y, **key):
 def arc_length_evaluations(bundle):
     """Largest relative error against the mean number of evaluations, a point for each tolerance."""
     parts = _kinds(bundle["arc_length.csv"], "arc_length-tolerance", "generator", MEASURED, "mean_evaluations", "max_relative", degree=3)
-    return _against_cost("arc-length-evaluations", ("Largest relative error of an arc length against the number of evaluations, a point for each "
+    return _against_cost(bundle, "arc-length-evaluations", ("Largest relative error of an arc length against the number of evaluations, a point for each "
                                                     "tolerance", "弧长最大相对误差与求值次数"), parts, "mean evaluations", "evaluations", 2.7)
 
 
@@ -68,7 +68,7 @@ def arc_length_evaluations(bundle):
 def fitting_segments(bundle):
     """Largest true error against the mean number of segments, a point for each tolerance."""
     parts = _kinds(bundle["fitting.csv"], "fitting-cubics", "data", FITTED, "mean_segments", "max_error", dimension=2)
-    return _against_cost("fitting-segments", ("Largest true error of fits against the number of segments, a point for each tolerance", "拟合误差与段数"),
+    return _against_cost(bundle, "fitting-segments", ("Largest true error of fits against the number of segments, a point for each tolerance", "拟合误差与段数"),
                          parts, "mean number of segments", "segments", 2.4)
 
 
@@ -85,7 +85,7 @@ def fitting_time(bundle):
         return found
     parts = [[(sentence_case(words) if column == "max_error" else "", label, lines(data, column)) for column, label in COSTS.items()]
              for data, words in FITTED.items() if any(time["data"] == data for time, _ in pairs)]
-    return _against_cost("fitting-time", ("Largest true error and number of segments against the time of a fit, a point for each tolerance",
+    return _against_cost(bundle, "fitting-time", ("Largest true error and number of segments against the time of a fit, a point for each tolerance",
                                           "拟合误差、段数与用时"), parts, "µs per fit", "µs", 2.3)
 
 
@@ -97,19 +97,23 @@ def answer_cell(bundle):
     members = [one for one in cells.get(cell, ()) if useful(one.error_u, cell.scalar)]
     if not members or cell.mode == NO_TIME:
         raise Missing("`pareto.csv` has no times")
-    canvas, axes = panels(1, 1, height=max(3.4, 0.17 * len(members)))
-    for index, one in enumerate(members):
-        _mark(axes[0][0], one.timed, index)
-    _time_and_error(axes[0][0])
+    canvas, axes = panels(1, 1, height=3.6)
+    methods = [one.method for one in members]
+    shown = leading(bundle, methods, methods.index)
+    _marks(bundle, axes[0][0], [one.timed for one in members], shown)
     axes[0][0].set_xlabel("ns per point")
     words = "; ".join(f"{one.method}: {general(one.ns)} ns, {general(one.error_u)} u p~" for one in members)
     return finish(canvas, "answer-figure", f"Time against the largest observed error, {FORMS.get(cell.form, cell.form)}, degree {shortest(cell.degree)}; "
-                  "the thin line upwards ends at the proved bound, filled marks are not dominated", "用时与最大误差", f"Doubly logarithmic. {words}.",
-                  bottom=0.1)
+                  f"the thin line upwards ends at the proved bound, filled marks are not dominated{_grey(shown, methods)}", "用时与最大误差",
+                  f"Doubly logarithmic. {words}.", bottom=0.1)
+
+
+def _grey(shown, methods):
+    return chosen(shown, methods) + (", the others in grey" if len(shown) < len(methods) else "")
 
 
 @figure
-def time_against_error(bundle):
+def time_against_error(bundle, whole=False):
     """A panel for the lowest, a middle and the highest degree of the first form; filled marks are on the front."""
     rows = bundle["pareto.csv"].rows
     curve = rows[0]["form"] if rows else None
@@ -117,23 +121,28 @@ def time_against_error(bundle):
     if not degrees:
         raise Missing("`pareto.csv` has no times in double, mode `point`, of a method that is useful")
     values = list(degrees)
-    shown = sorted({values[0], values[len(values) // 2], values[-1]})[:PANELS]
-    methods = distinct((r for n in shown for r in degrees[n]), "method")
-    canvas, axes = panels(len(shown), 1, height=3.0)
+    drawn = sorted({values[0], values[len(values) // 2], values[-1]})[:PANELS]
+    methods = distinct((r for n in drawn for r in degrees[n]), "method")
+    shown = methods if whole else leading(bundle, methods, methods.index)
+    canvas, axes = panels(len(drawn), 1, height=3.0)
     words = []
-    for ax, n in zip(axes[:, 0], shown):
-        for row in degrees[n]:
-            _mark(ax, row, methods.index(row["method"]))
-            words.append(f"degree {n:g}, {row['method']}: {general(row['ns'])} ns, {general(row['observed_max_u'])} u p~"
-                         + (" (on the front)" if row["pareto"] == ON else ""))
-        _time_and_error(ax)
+    for ax, n in zip(axes[:, 0], drawn):
+        _marks(bundle, ax, degrees[n], shown)
+        words += [f"degree {n:g}, {row['method']}: {general(row['ns'])} ns, {general(row['observed_max_u'])} u p~"
+                  + (" (on the front)" if row["pareto"] == ON else "") for row in degrees[n]]
         ax.set_title(f"degree {n:g}", loc="left")
     axes[-1][0].set_xlabel(f"ns per point, {FORM.get(curve, (curve,))[0]}, one point at a time, double")
     return finish(canvas, "time-against-error", "Time per point against the largest observed error; the thin line upwards ends at the proved bound, "
-                  "filled marks are not dominated, useless methods are left out", "每点用时与最大误差", f"Doubly logarithmic. {'; '.join(words)}.", bottom=0.1)
+                  f"filled marks are not dominated, useless methods are left out{_grey(shown, methods)}", "每点用时与最大误差",
+                  f"Doubly logarithmic. {'; '.join(words)}.", bottom=0.1,
+                  more=(lambda: time_against_error(bundle, True)) if len(shown) < len(methods) else None)
 
 
-def _time_and_error(ax):
+def _marks(bundle, ax, rows, shown):
+    """Errors up, times across, on logarithmic axes."""
+    look = looks(bundle, shown)
+    for row in rows:
+        _mark(ax, row, look.get(row["method"]))
     ax.set_xscale("log")
     ax.set_yscale("log")
     ax.axhline(1, color=FAINT, linewidth=0.9)
@@ -141,17 +150,20 @@ def _time_and_error(ax):
     beside(ax)
 
 
-def _mark(ax, row, index):
-    """A method: its error, the interval of its time, and its bound."""
+def _mark(ax, row, look):
+    """A method: its error, the interval of its time, and its bound; a grey point where it has no look of its own."""
     time, error, bound = row["ns"], row["observed_max_u"], row["bound_u"]
     if not positive(row, "observed_max_u"):
         return
-    colour = COLOURS[index % len(COLOURS)]
-    extent = ax.plot([row["ns_low"], row["ns_high"]], [error, error], color=colour, linewidth=2.2)
-    if isinstance(bound, float) and math.isfinite(bound) and bound > error:
-        extent += ax.plot([time, time], [error, bound], color=colour, linewidth=0.8)
-        extent += ax.plot([time], [bound], color=colour, marker="_", markersize=6)
-    belongs(row["method"], *extent)
-    point, = ax.plot([time], [error], linestyle="none", marker=MARKS[index // len(COLOURS) % len(MARKS)], markersize=7,
-                     markerfacecolor=colour if row["pareto"] == ON else "none", markeredgecolor=colour, markeredgewidth=1.3, label=row["method"])
-    point.rows = [row]
+    if look is None:
+        point, = ax.plot([time], [error], linestyle="none", marker=".", markersize=5, color=FAINT)
+    else:
+        colour = look["color"]
+        extent = ax.plot([row["ns_low"], row["ns_high"]], [error, error], color=colour, linewidth=2.2)
+        if isinstance(bound, float) and math.isfinite(bound) and bound > error:
+            extent += ax.plot([time, time], [error, bound], color=colour, linewidth=0.8)
+            extent += ax.plot([time], [bound], color=colour, marker="_", markersize=6)
+        belongs(row["method"], *extent)
+        point, = ax.plot([time], [error], linestyle="none", marker=look["marker"], markersize=7, markerfacecolor=colour if row["pareto"] == ON else "none",
+                         markeredgecolor=colour, markeredgewidth=1.3, label=row["method"])
+    point.series_name, point.rows = row["method"], [row]

@@ -56,7 +56,8 @@ def curves_of_sets(bundle):
     for (left, right), (name, curves), colour in zip(axes, shown.items(), COLOURS):
         distances = sorted(_distance(points) for points, _ in curves)
         ranks = np.unique(np.linspace(0, len(distances) - 1, RANKS).astype(int))
-        left.step([distances[k] for k in ranks], (ranks + 1) / len(distances), where="post", color=colour)
+        line, = left.step([distances[k] for k in ranks], (ranks + 1) / len(distances), where="post", color=colour)
+        line.series_name = name
         left.set_xscale("log")
         left.set_ylim(0, 1.02)
         left.set_title(f"{name}: {large(len(curves))} curve{'' if len(curves) == 1 else 's'}", loc="left")

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""Methods as lines: colours by family, one line for methods that agree in every point."""
+"""Methods as lines or, over categories, as marks: each in its colour, one line for methods that agree in every point."""
 
 import math
 
-from .canvas import COLOURS, DASHED, DOTTED, log_axis
+from .canvas import belongs, log_axis
 
-STROKES = ("solid", DASHED, DOTTED, (0, (5, 1.5, 1, 1.5)), (0, (7, 3)))
-MARKERS = (None, "s", "^", "v")
+MOST_NAMED = 20  # entries of a legend beside the axes; the page has another for more
+ROOM = 0.05  # of a logarithmic axis, for the name of a place
+DODGE = 0.09  # of the distance of two categories, from one method to the next
 
 
 def positive(row, column):
@@ -43,51 +44,23 @@ def conversion(method):
     return method.rpartition(":")[0]
 
 
-def looks(methods, marker=None):
-    """{method: how to draw it}: methods whose ids start alike (`direct`, `direct_pow`) share a colour and differ in stroke; `marker`
-    is for those that have none."""
-    def root(method):
-        return min((m for m in methods if method == m or method.startswith(f"{m}_")), key=len)
-    families = {}
-    for method in methods:
-        families.setdefault(root(method), []).append(method)
-    return {method: {"color": COLOURS[i % len(COLOURS)], "linestyle": STROKES[j % len(STROKES)],
-                     "marker": MARKERS[i // len(COLOURS) % len(MARKERS)] or marker, "markersize": 4}
-            for i, family in enumerate(families.values()) for j, method in enumerate(family)}
-
-
-def draw_methods(ax, lines, look):
-    """One line per method, those that agree everywhere as one; the legend beside the axes, highest end first."""
+def draw_methods(ax, lines, look, apart=False):
+    """One line per method, those that agree everywhere as one; marks side by side where places are `apart`; the legend beside the axes, highest
+    end first."""
     alike = {}
     for method, points in lines.items():
         alike.setdefault(tuple(points), []).append(method)
-    for points, (first, *others) in sorted(alike.items(), key=lambda item: -item[0][-1][1]):
-        line, = ax.plot(*zip(*points), **look[first], label=first + (f" (+{len(others)} alike)" if others else ""))
-        line.rows = [getattr(point, "row", None) for point in points]
-    beside(ax)
-
-
-def _converted(method):
-    return conversion(method) or "given form"
-
-
-def path_colours(methods):
-    """{conversion: colour} of all methods of a figure."""
-    return {name: COLOURS[i % len(COLOURS)] for i, name in enumerate(dict.fromkeys(map(_converted, methods)))}
-
-
-def draw_paths(ax, lines, colours):
-    """One thin line per path, coloured by its conversion."""
-    groups = {}
-    for method, points in lines.items():
-        groups.setdefault(_converted(method), []).append((method, points))
-    ordered = sorted(groups.items(), key=lambda item: -max(points[-1][1] for _, points in item[1]))
-    for name, group in ordered:
-        for k, (method, points) in enumerate(group):
-            line, = ax.plot(*zip(*points), color=colours[name], linewidth=0.9, alpha=0.85,
-                            label=f"{name} ({len(group)})" if k == 0 else None)
-            line.series_name, line.rows = method, [getattr(point, "row", None) for point in points]
-    beside(ax)
+    for at, (points, (first, *others)) in enumerate(sorted(alike.items(), key=lambda item: -item[0][-1][1])):
+        places, values = zip(*points)
+        if apart:
+            places = [x + (at - (len(alike) - 1) / 2) * min(DODGE, 0.8 / len(alike)) for x in places]
+        line, = ax.plot(places, values, **look[first], linestyle="none" if apart else "solid", label=first + (f" (+{len(others)} alike)" if others else ""))
+        line.rows, line.alike = [getattr(point, "row", None) for point in points], others
+        for x, row in zip(places, line.rows):
+            if row and row.file == "timing.csv":
+                belongs(line.get_label(), *ax.plot([x, x], [row["low_ns"], row["high_ns"]], color=line.get_color(), linewidth=1, alpha=0.6))
+    if len(alike) <= MOST_NAMED:
+        beside(ax)
 
 
 def beside(ax):
@@ -96,18 +69,21 @@ def beside(ax):
 
 
 def degree_axis(ax, degrees):
-    """Degrees on an axis that is logarithmic where none is 0, as many of them named as there is room for."""
+    """Degrees on an axis that is logarithmic where none is 0: the first, the last, and as many between as there is room for."""
     if min(degrees) > 0:
         ax.set_xscale("log")
     log_axis(ax.xaxis, _apart(sorted(degrees)))
 
 
 def _apart(values):
-    kept = []
-    for value in values:
-        if not kept or value >= 1.3 * kept[-1]:
+    """Those that are far enough from the one before and from the last."""
+    first, last = values[0], values[-1]
+    least = (last / first) ** ROOM if first > 0 else 1.3
+    kept = [first]
+    for value in values[1:-1]:
+        if value >= least * kept[-1] and value * least <= last:
             kept.append(value)
-    return kept
+    return kept + [last] * (last != first)
 
 
 def sentence_case(words):

@@ -7,11 +7,12 @@ from ..bundle import Missing
 from ..findings.evaluators import UNIT
 from ..guarantee_words import SEARCHES, of_all, share
 from ..methods import FORM
+from ..rows import grouped
 from ..wording import general, listing, percent
-from .canvas import COLOURS, DOTTED, FAINT, INK, figure, finish, panels
-from .lines import beside, conversion, looks, positive
+from .canvas import COLOURS, DOTTED, FAINT, INK, belongs, figure, finish, panels
+from .colours import chosen, leading, looks
+from .lines import MOST_NAMED, beside, conversion, positive
 
-CONDITION_MARKS = ("o", "s", "^", "D", "v", "x", "+", "P")
 HIGHEST = 1e6  # a relative error above this says no more than one of it
 SHOWN = (3, "double")  # degree and scalar type
 VERDICT_COLOUR = {"proved": COLOURS[2], "refuted": COLOURS[1], "not_refuted": FAINT}
@@ -24,7 +25,7 @@ LIMIT = 1e4  # an error beyond it is written at the edge: on its axis the others
 
 
 @figure
-def error_against_condition(bundle):
+def error_against_condition(bundle, whole=False):
     """One point per cell: median relative error against median condition number, a panel for each form of curve."""
     table = bundle.exact("conditioning")
     rows = [r for r in table.rows if positive(r, "p50_condition") and positive(r, "p50_relative")]
@@ -32,13 +33,15 @@ def error_against_condition(bundle):
     if not rows:
         raise Missing("`accuracy.csv` has no column `p50_condition` or `p50_relative`")
     canvas, axes = panels(len(curves), 1, height=3.9, sharex=True)
-    words = []
+    words, some = [], False
     for ax, curve in zip(axes[:, 0], curves):
-        methods = list(dict.fromkeys(r["method"] for r in rows if r["form"] == curve))
-        for method, look in looks(methods).items():
-            points = sorted((r["p50_condition"], r["p50_relative"]) for r in rows if r["form"] == curve and r["method"] == method)
-            ax.plot(*zip(*points), linestyle="none", marker=CONDITION_MARKS[methods.index(method) % len(CONDITION_MARKS)], markersize=4.5,
-                    markeredgewidth=1.1, markerfacecolor="none", color=look["color"], label=method)
+        points_of = {method: sorted((r["p50_condition"], r["p50_relative"]) for r in own)
+                     for method, own in grouped((r for r in rows if r["form"] == curve), "method").items()}
+        shown = list(points_of) if whole else leading(bundle, list(points_of), lambda method, points=points_of: points[method][-1][1])
+        some = some or chosen(shown, points_of)
+        for method, look in looks(bundle, shown).items():
+            points = points_of[method]
+            ax.plot(*zip(*points), **look, linestyle="none", markeredgewidth=1.1, markerfacecolor="none", label=method)
             words.append(f"{FORM.get(curve, (curve,))[0]}, {method}: {general(points[0][1])} at condition "
                          f"{general(points[0][0])} "
                          f"to {general(points[-1][1])} at {general(points[-1][0])}")
@@ -53,11 +56,12 @@ def error_against_condition(bundle):
         title = FORM.get(curve, (curve,))[0]
         ax.set_title(title[0].upper() + title[1:], loc="left")
         ax.set_ylabel("median relative error")
-        beside(ax)
+        if len(shown) <= MOST_NAMED:
+            beside(ax)
     axes[-1][0].set_xlabel("median condition number p~/|p|")
-    return finish(canvas, "error-against-condition", "Relative error against condition number; one point per cell, errors above 1e6 not drawn",
+    return finish(canvas, "error-against-condition", f"Relative error against condition number; one point per cell, errors above 1e6 not drawn{some or ''}",
                   "相对误差与条件数", "Doubly logarithmic, with lines at u and at condition 1/u to 1/u^4. " + "; ".join(words) + ".",
-                  bottom=0.1)
+                  bottom=0.1, more=(lambda: error_against_condition(bundle, True)) if some else None)
 
 
 @figure
@@ -72,18 +76,23 @@ def guarantee_matrix(bundle, study=None):
     rows = [r for r in rows if (r["degree"], r["scalar"]) == (degree, scalar)]
     methods, properties = (list(dict.fromkeys(r[c] for r in rows)) for c in ("method", "property"))
     canvas, axes = panels(1, 1, height=0.26 * len(methods) + 1.4)
-    ax = axes[0, 0]
+    ax, read = axes[0, 0], {}
     for at, method in enumerate(methods):
         for across, name in enumerate(properties):
             own = [r for r in rows if r["method"] == method and r["property"] == name]
             if not own:
                 continue
             verdict = of_all(own)
-            ax.fill([across - 0.46, across + 0.46, across + 0.46, across - 0.46], [at - 0.42, at - 0.42, at + 0.42, at + 0.42],
-                    color=VERDICT_COLOUR[verdict], alpha=0.55, linewidth=0)
+            belongs(VERDICT_MEANING[verdict], *ax.fill([across - 0.46, across + 0.46, across + 0.46, across - 0.46], [at - 0.42, at - 0.42, at + 0.42, at + 0.42],
+                                                       color=VERDICT_COLOUR[verdict], alpha=0.55, linewidth=0))
+            read.setdefault(verdict, []).append((across, at, f"{method}, {name.replace('_', ' ')}" + (f", {percent(share(own))}" if verdict == "refuted" and share(own) else "")))
             if verdict == "refuted" and share(own):
                 ax.text(across, at, percent(share(own)).replace("less than", "<").replace("more than", ">"), ha="center", va="center",
                         fontsize=6.5, color=INK)
+    for verdict, cells in read.items():
+        x, y, words = zip(*cells)
+        point, = ax.plot(x, y, linestyle="none", color=VERDICT_COLOUR[verdict])
+        point.series_name, point.reads = VERDICT_MEANING[verdict], words
     ax.set_xticks(range(len(properties)), [p.replace("_", "\n") for p in properties], fontsize=7)
     ax.set_yticks(range(len(methods)), methods, fontsize=8)
     ax.set_ylim(len(methods) - 0.5, -0.5)
@@ -144,10 +153,11 @@ def _line(ax, y, row):
     shown = [(positive(row, column), name, mark, colour) for column, name, mark, colour in MAXIMA_MARKS if positive(row, column)]
     ends = [min(value, LIMIT) for value, *_ in shown]
     ax.plot([min(ends), max(ends)], [y, y], color=FAINT, linewidth=0.8, zorder=1)
-    for value, _, mark, colour in shown:
+    for value, name, mark, colour in shown:
         if value < LIMIT:
-            ax.plot(value, y, marker=mark, color=colour, markersize=9 if mark == "|" else 5,
-                    markeredgewidth=2 if mark == "|" else 0.5, zorder=2)
+            point, = ax.plot([value], [y], linestyle="none", marker=mark, color=colour, markersize=9 if mark == "|" else 5,
+                             markeredgewidth=2 if mark == "|" else 0.5, zorder=2)
+            point.series_name, point.rows, point.reads = name, [row], [f"{row['method']} {general(value)} u p~"]
     beyond = [(f"{name} {general(value)}", colour) for value, name, _, colour in shown if value >= LIMIT]
     if beyond:  # in one text: each at the same edge would lie upon the others
         colour = beyond[0][1] if len(beyond) == 1 else INK

@@ -3,22 +3,20 @@
 
 from ..methods import FORM, STATISTIC, name
 from ..wording import general, interval, scientific
-from .canvas import COLOURS, FAINT, figure, finish, legend, log_axis, panels, reproduced
+from .canvas import FAINT, figure, finish, legend, log_axis, panels, reproduced
+from .colours import WELL_KNOWN
 
 METHODS = {
     "bernstein": ("de_casteljau", "factorial:power_sum"),
     "power": ("forward_substitution:de_casteljau", "forward_substitution:direct"),
 }
 UNDER = "forward_substitution:de_casteljau"  # nearly everywhere on the same line as its sibling
-COLOUR = {m: c for m, c in zip((m for methods in METHODS.values() for m in methods), COLOURS)}
+COLOUR = {m: WELL_KNOWN[m] for methods in METHODS.values() for m in methods}
 LEGEND = [(name(m), c) for m, c in COLOUR.items()]
 TIMED = {
     "bernstein": ("direct", "de_casteljau", "factorial:power_sum"),
     "power": ("power_sum", "forward_substitution:de_casteljau", "forward_substitution:direct"),
 }
-# de Casteljau and the power form keep the colours that they have in the figures of error
-TIME_COLOUR = {m: COLOURS[i] for m, i in (("direct", 4), ("de_casteljau", 0), ("factorial:power_sum", 1), ("power_sum", 5),
-                                     ("forward_substitution:de_casteljau", 2), ("forward_substitution:direct", 3))}
 TICK = 1.0  # ms: the step of the clock behind the printed times
 
 
@@ -137,10 +135,10 @@ def time_against_degree(bundle):
         for method in methods:
             rows = sorted(table.some(table="2.4", form=curve, method=method), key=lambda r: r.number("degree"))
             degrees = [r.number("degree") for r in rows]
-            reproduced(ax, degrees, rows, TIME_COLOUR[method], method == UNDER, dashed="prepared_median", dotted=None)
+            reproduced(ax, degrees, rows, WELL_KNOWN[method], method == UNDER, dashed="prepared_median", dotted=None)
             zero = [n for n, r in zip(degrees, rows) if r["published"] == 0]
             ax.plot(zero, [0.62 * TICK] * len(zero), linestyle="none", marker="v", markersize=7, markeredgewidth=1.5,
-                    markeredgecolor=TIME_COLOUR[method], markerfacecolor="none")
+                    markeredgecolor=WELL_KNOWN[method], markerfacecolor="none")
             words.append(f"{name(method)}, {FORM[curve][0]}: {general(rows[0]['ours_median'])} µs at degree {degrees[0]:g} "
                          f"to {general(rows[-1]['ours_median'])} µs at degree {degrees[-1]:g}")
         ax.set_yscale("log", nonpositive="mask")
@@ -151,7 +149,7 @@ def time_against_degree(bundle):
     axes[0][0].annotate("below one tick of the report's clock\ntriangle: printed as 0", (0.98, TICK * 0.85), fontsize=8,
                         xycoords=("axes fraction", "data"), ha="right", va="top")
     axes[0][0].set_ylabel("µs per curve (ms per 1000 curves)")
-    legend(canvas, [(name(m), c) for m, c in TIME_COLOUR.items()], dashed="prepared once, per point", dotted=None)
+    legend(canvas, [(name(m), WELL_KNOWN[m]) for methods in TIMED.values() for m in methods], dashed="prepared once, per point", dotted=None)
     return finish(canvas, "time-against-degree", "Time against degree (table 2.4)", "用时与阶数（表 2.4）",
                   "Logarithmic plots of our times with the printed whole milliseconds. " + "; ".join(words) + ".",
                   bottom=0.95)

@@ -8,17 +8,18 @@ from ..bundle import Missing
 from ..rows import distinct, grouped
 from ..tables import AXIS, axis_label
 from ..wording import general, listing
-from .canvas import figure, finish, panels
-from .lines import degree_axis, draw_methods, draw_paths, looks, path_colours, point_of, positive
+from .canvas import belongs, figure, finish, panels
+from .colours import chosen, leading, looks
+from .lines import MOST_NAMED, degree_axis, draw_methods, point_of, positive
 
 APART = ("form", "scalar", "mode", "target")  # a panel for each value
 BESIDE = ("degree", "dimension", "order", "coordinate_range", "interval", "curves", "generator", "tolerance", "points", "data", "placement",
           "knots", "curve_id")
-MOST = 20  # lines with a look of their own
+FEWEST = 3  # points that are worth a figure
 FAR, FARTHEST = 1e3, 1e5  # times the best, in the largest value of a line
 MOST_TICKS = 12  # places that are named
 WIDTH = 28  # characters that fit the height of a panel
-NARROW = ("interval", "curves", "generator", "placement", "data", "knots", "curve_id")  # axes whose values are places side by side
+APART_AXES = ("interval", "curves", "generator", "placement", "data", "knots", "curve_id")  # whose values are places side by side, that no line joins
 LONG = 10  # characters from which the names of places are written aslant, each of them
 WORDS = {"placement": "placement of the point", "data": "data", "knots": "kind of knots", "generator": "inputs",
          "dimension": "axes of a point", "curve_id": "curve", "tolerance": "tolerance", "points": "points", **AXIS}
@@ -75,8 +76,8 @@ def _apart(lines):
 
 
 @figure
-def study_lines(bundle, study):
-    """A panel for each measure and, side by side under each other, each form, scalar type and mode."""
+def study_lines(bundle, study, whole=False):
+    """A panel for each measure and each form, scalar type and mode; of the leading methods, or of all in the `whole`."""
     kind = bundle.studies[study].kind
     rows = [r for r in _rows(bundle, study, kind) if r["method"] != "sentinel"]
     axis = _axis(kind, rows)
@@ -85,38 +86,65 @@ def study_lines(bundle, study):
         values.sort()
     if None in values:
         raise Missing(f"the study `{study}` has no axis that a figure can show")
-    side_by_side = axis in NARROW or axis == "coordinate_range"  # 1e-300 to 1e300 is too far for a logarithmic axis
+    side_by_side = axis in APART_AXES or axis == "coordinate_range"  # 1e-300 to 1e300 is too far for a logarithmic axis
     where = dict(zip(values, range(len(values)) if side_by_side else values))
-    drawn = [(", ".join(filter(None, (label, more))), what, lines) for label, part in _parts(rows).items()
-             for column, what in schema.measures(kind) for more, lines in _apart(_lines(part, where, axis, column, schema.method(kind)))]
+    found = [(label, what, _lines(part, where, axis, column, schema.method(kind))) for label, part in _parts(rows).items() for column, what in schema.measures(kind)]
+    methods = list(dict.fromkeys(method for *_, lines in found for method in lines))
+    last = {m: next(lines[m][-1][1] for *_, lines in found if m in lines) for m in methods}
+    shown = methods if whole else leading(bundle, methods, last.get)
+    drawn = [(", ".join(filter(None, (label, more))), what, some) for label, what, lines in found
+             for more, some in _apart({m: points for m, points in lines.items() if m in shown})]
     if not drawn:
         raise Missing(f"the study `{study}` has no value that a logarithmic axis can show")
-    canvas, axes = panels(len(drawn), 1, height=max(2.6, 0.17 * min(max(len(lines) for *_, lines in drawn), MOST)))
-    words = []
-    methods = dict.fromkeys(method for *_, lines in drawn for method in lines)
-    look = looks(list(methods), "o")  # the same in every panel
-    colours = path_colours(methods)
+    if sum(len(points) for *_, lines in drawn for points in lines.values()) < FEWEST:
+        raise Missing(f"the study `{study}` has too few values for a figure")
+    draw = _ranked if len(values) == 1 else _against
+    canvas, axes = panels(len(drawn), 1, height=max(2.6, 0.17 * min(max(len(lines) for *_, lines in drawn), MOST_NAMED)))
+    look = looks(bundle, shown)
     for ax, (label, what, lines) in zip(axes[:, 0], drawn):
-        if len(lines) <= MOST:
-            draw_methods(ax, lines, look)
-        else:
-            draw_paths(ax, lines, colours)
-        ax.set_yscale("log")
-        if side_by_side:
-            aslant = axis in ("curves", "curve_id") and max(map(len, values)) > LONG
-            named = values if aslant else values[::-(-len(values) // MOST_TICKS)]
-            ax.set_xticks([where[v] for v in named], [axis_label(v, axis) for v in named],
-                          **({"fontsize": 7, "rotation": 40, "ha": "right"} if aslant else {"fontsize": 8}))
-        else:
-            degree_axis(ax, values)
+        draw(ax, what, lines, look, (axis, values, where, side_by_side))
         ax.set_title(label, loc="left")
-        ax.set_ylabel(textwrap.fill(what, WIDTH))
-        last = {m: points[-1][1] for m, points in lines.items()}
-        low, high = min(last, key=last.get), max(last, key=last.get)
-        words.append(f"{label + ', ' if label else ''}{what}: at the end {low} has the least, {general(last[low])}, and {high} the "
-                     f"largest, {general(last[high])}")
-    axes[-1][0].set_xlabel(WORDS[axis])
+    if draw is _against:
+        axes[-1][0].set_xlabel(WORDS[axis])
     merged = _merged(rows, axis)
-    return finish(canvas, f"{study}-figure", f"{bundle.title(study)}, against {WORDS[axis]}"
-                  + (f"; each point is the largest value over {listing(merged)}" if merged else ""), "各方法的结果",
-                  "Logarithmic. " + "; ".join(words) + ".", bottom=0.1)
+    return finish(canvas, f"{study}-figure", f"{bundle.title(study)}{f', against {WORDS[axis]}' if draw is _against else ''}"
+                  + (f"; each point is the largest value over {listing(merged)}" if merged else "") + chosen(shown, methods), "各方法的结果",
+                  "Logarithmic. " + "; ".join(_words(*one) for one in drawn) + ".", bottom=0.1,
+                  more=(lambda: study_lines(bundle, study, True)) if len(shown) < len(methods) else None)
+
+
+def _words(label, what, lines):
+    last = {m: points[-1][1] for m, points in lines.items()}
+    low, high = min(last, key=last.get), max(last, key=last.get)
+    return f"{label + ', ' if label else ''}{what}: at the end {low} has the least, {general(last[low])}, and {high} the largest, {general(last[high])}"
+
+
+def _against(ax, what, lines, look, across):
+    """Values up, places across: lines, or marks over places that have no order."""
+    axis, values, where, side_by_side = across
+    draw_methods(ax, lines, look, apart=axis in APART_AXES)
+    ax.set_yscale("log")
+    if side_by_side:
+        aslant = axis in ("curves", "curve_id") and max(map(len, values)) > LONG
+        step = 1 if aslant else -(-len(values) // MOST_TICKS)
+        named = [*values[:-step:step], values[-1]]
+        ax.set_xticks([where[v] for v in named], [axis_label(v, axis) for v in named],
+                      **({"fontsize": 7, "rotation": 40, "ha": "right"} if aslant else {"fontsize": 8}))
+        ax.set_xlim(-0.5, len(values) - 0.5)
+    else:
+        degree_axis(ax, values)
+    ax.set_ylabel(textwrap.fill(what, WIDTH))
+
+
+def _ranked(ax, what, lines, look, _across):
+    """One place: methods down, the largest at the top, their values across."""
+    ordered = sorted(lines, key=lambda m: lines[m][0][1])
+    for y, method in enumerate(ordered):
+        point, = lines[method]
+        line, = ax.plot([point[1]], [y], **look[method], label=method)
+        line.rows, line.reads = [point.row], [f"{what} {general(point[1])}"]
+        if point.row.file == "timing.csv":
+            belongs(method, *ax.plot([point.row["low_ns"], point.row["high_ns"]], [y, y], color=line.get_color(), linewidth=1))
+    ax.set_yticks(range(len(ordered)), ordered, fontsize=8)
+    ax.set_xscale("log")
+    ax.set_xlabel(what)

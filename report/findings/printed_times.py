@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from itertools import combinations
 import math
 
+from ..bundle import Missing
 from ..methods import FORM, name
 from ..rows import Row, grouped
 from ..wording import count, factor, general, listing, shortest
@@ -81,7 +82,7 @@ def ratios(bundle):
         race = {row["method"]: row for row in bundle["timing.csv"].some(form=form, degree=degree, mode="one_shot", scalar="double")
                 if row["study"].startswith("2.4")}
         found += [Ratio(printed[a], printed[b], _printed(printed[a], printed[b]), _ours(race, a, b))
-                  for a, b in combinations([m for m in ORDERS[form] if m in printed and m in race], 2)]
+                  for a, b in combinations([m for m in ORDERS.get(form, ()) if m in printed and m in race], 2)]
     return found
 
 
@@ -91,6 +92,8 @@ def times_as_ratios(bundle):
     found = ratios(bundle)
     by = Counter(ratio.verdict for ratio in found)
     testable = [ratio for ratio in found if ratio.verdict != "untestable"]
+    if not testable:
+        raise Missing("`scorecard_timing.csv` and `timing.csv` have no ratio of times in common that the printed clock shows")
     turned = [ratio for ratio in found if ratio.verdict == "reversed"]
     said = (f"Of {count(len(testable), 'ratio')} of two printed times that its clock can show, {by['agrees']} agree with ours and "
             f"{by['close']} are within a factor of {CLOSE}")

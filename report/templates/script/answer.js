@@ -94,13 +94,13 @@ function fillTable(cell, methods) {
   table.querySelectorAll("thead th").forEach((head) => head.removeAttribute("aria-sort"));
 }
 
-const COLOURS = data.colours;
-const SHAPES = [
-  (x, y) => `M${x - 4},${y}a4,4 0 1,0 8,0a4,4 0 1,0 -8,0`,
-  (x, y) => `M${x - 4},${y - 4}h8v8h-8z`,
-  (x, y) => `M${x},${y - 5}l5,9h-10z`,
-  (x, y) => `M${x},${y - 5}l5,5l-5,5l-5,-5z`,
-];
+const SHAPES = {
+  o: (x, y) => `M${x - 4},${y}a4,4 0 1,0 8,0a4,4 0 1,0 -8,0`,
+  s: (x, y) => `M${x - 4},${y - 4}h8v8h-8z`,
+  "^": (x, y) => `M${x},${y - 5}l5,9h-10z`,
+  v: (x, y) => `M${x},${y + 5}l5,-9h-10z`,
+  D: (x, y) => `M${x},${y - 5}l5,5l-5,5l-5,-5z`,
+};
 
 function decades(low, high) {
   const marks = [];
@@ -126,9 +126,9 @@ function draw(cell, methods) {
   const [width, height, left, bottom] = [640, 380, 64, 46];
   const span = (values) => [Math.min(...values) / 1.25, Math.max(...values) * 1.25];
   const [x0, x1] = span(shown.flatMap((one) => [one.low ?? one.ns, one.high ?? one.ns]));
-  const [y0, y1] = span(shown.flatMap((one) => [one.error_u, 1]));
+  const [y0, y1] = span(shown.flatMap((one) => [one.error_u, one.bound_u > 0 && Number.isFinite(one.bound_u) ? one.bound_u : 1, 1]));
   const x = (v) => left + (width - left - 16) * Math.log(v / x0) / Math.log(x1 / x0);
-  const y = (v) => height - bottom - (height - bottom - 12) * Math.log(Math.min(v, y1) / y0) / Math.log(y1 / y0);
+  const y = (v) => height - bottom - (height - bottom - 12) * Math.log(v / y0) / Math.log(y1 / y0);
   const svg = make("svg:svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Time against error, ${cell.words}` });
   const text = (at, words, more = {}) => make("svg:text", { x: at[0], y: at[1], class: "ink", ...more }, words);
   for (const at of decades(x0, x1)) svg.append(make("svg:path", { class: "rule", d: `M${x(at)},12V${height - bottom}` }), text([x(at), height - bottom + 16], general(at), { "text-anchor": "middle" }));
@@ -136,19 +136,26 @@ function draw(cell, methods) {
   svg.append(text([(left + width) / 2, height - 8], "ns per point", { "text-anchor": "middle" }),
     text([0, 0], "largest observed error, u p~", { "text-anchor": "middle", transform: `translate(14,${(height - bottom) / 2}) rotate(-90)` }));
   const right = new Set(methods.map((one) => one.method));
+  const some = !state.has("all.answer-figure");
   const series = shown.map((one, at) => {
-    const colour = COLOURS[at % COLOURS.length];
+    const words = `${general(one.ns)} ns, observed errors of at most ${general(one.error_u)} u p~${one.bound_u === null ? "" : `, bound ${general(one.bound_u)}`}`;
+    const known = { name: one.method, methods: [one.method], colour: one.colour, leads: one.leads || !some, points: [[x(one.ns), y(one.error_u), words, one.replay]] };
+    if (!known.leads) {
+      svg.append(make("svg:g", { id: `answer-figure-s${at}-0`, class: "other" }, make("svg:path", { d: `M${x(one.ns)},${y(one.error_u)}h0.01` })));
+      return known;
+    }
+    const { colour } = one;
     const group = make("svg:g", { id: `answer-figure-s${at}-0`, class: right.has(one.method) ? "" : "missed", stroke: colour },
       make("svg:path", { d: `M${x(one.low ?? one.ns)},${y(one.error_u)}H${x(one.high ?? one.ns)}`, "stroke-width": 2.2 }),
-      make("svg:path", { d: SHAPES[Math.floor(at / COLOURS.length) % SHAPES.length](x(one.ns), y(one.error_u)), fill: one.front === "yes" ? colour : "none", "stroke-width": 1.4 }));
+      make("svg:path", { d: SHAPES[one.shape](x(one.ns), y(one.error_u)), fill: one.front === "yes" ? colour : "none", "stroke-width": 1.4 }));
     if (one.bound_u > one.error_u) group.append(make("svg:path", { d: `M${x(one.ns)},${y(one.error_u)}V${y(one.bound_u)}`, "stroke-width": 0.8 }));
     svg.append(group);
-    const words = `${general(one.ns)} ns, observed errors of at most ${general(one.error_u)} u p~${one.bound_u === null ? "" : `, bound ${general(one.bound_u)}`}`;
-    return { name: one.method, method: one.method, colour, points: [[x(one.ns), y(one.error_u), words, one.replay]] };
+    return known;
   });
+  const leading = shown.filter((one) => one.leads).length;
   element.querySelector("svg").replaceWith(svg);
-  element.querySelector("figcaption").firstChild.textContent = `Time against the largest observed error, ${cell.words}; the thin line upwards leads to the proved bound, filled marks are not dominated, faint ones miss the tolerance`;
-  dressFigure(element, series);
+  element.querySelector("figcaption").firstChild.textContent = `Time against the largest observed error, ${cell.words}; the thin line upwards leads to the proved bound, filled marks are not dominated, faint ones miss the tolerance${some && leading < shown.length ? `, grey ones are not among the ${leading} leading` : ""}`;
+  dressFigure(element, series, { more: leading < shown.length ? () => draw(chosenCell(), ranked(chosenCell())) : null, count: shown.length });
 }
 
 function showAnswer(rebuild = true) {

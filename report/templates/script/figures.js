@@ -1,4 +1,5 @@
-// Figures: the values under the pointer or, with the arrow keys, one after the other; a legend that isolates; replay commands.
+// Figures: the values under the pointer or, with the arrow keys, one after the other; a legend that isolates; all methods where a figure
+// shows the leading ones; replay commands.
 
 const figures = new Map(); // id: { svg, series, chosen }
 const tip = make("div", { class: "tip", hidden: true });
@@ -8,16 +9,18 @@ function command(replay) {
 }
 
 function shownSeries(figure) {
-  return figure.series.filter((one) => (!figure.chosen.size || figure.chosen.has(one.name)) && (!one.method || seen(one.method)));
+  return figure.series.filter((one) => (!figure.chosen.size || figure.chosen.has(one.name)) && (!one.methods.length || one.methods.some(seen)));
 }
+
+const few = (figure) => Boolean(figure.more) && !state.has(`all.${figure.id}`);
 
 function showFigure(figure) {
   const shown = new Set(shownSeries(figure).map((one) => one.name));
-  const all = shown.size === 0 || shown.size === figure.series.length;
   figure.series.forEach((one, at) => {
-    const dim = !all && !shown.has(one.name);
-    for (const mark of figure.svg.querySelectorAll(`[id^="${figure.id}-s${at}-"]`)) mark.classList.toggle("dim", dim);
+    for (const mark of figure.svg.querySelectorAll(`[id^="${figure.prefix}-s${at}-"]`)) mark.classList.toggle("dim", !shown.has(one.name));
   });
+  figure.element.classList.toggle("none", !shown.size);
+  figure.none.textContent = shown.size ? "" : "The filter leaves no method of this figure.";
   for (const button of figure.legend?.querySelectorAll("button") ?? []) button.setAttribute("aria-pressed", String(figure.chosen.has(button.dataset.name)));
 }
 
@@ -34,7 +37,7 @@ function isolate(figure, name) {
 function highlight(methods) {
   for (const figure of figures.values()) {
     if (!figure.follows) continue;
-    figure.chosen = new Set(figure.series.filter((one) => methods.has(one.method)).map((one) => one.name));
+    figure.chosen = new Set(figure.series.filter((one) => one.methods.some((method) => methods.has(method))).map((one) => one.name));
     showFigure(figure);
   }
 }
@@ -88,17 +91,39 @@ function step(figure, event) {
   return say(next.text);
 }
 
-function dressFigure(element, series, follows = false) {
+// All methods of a figure that shows some, or those again. `more` shows the others: a template has them, or what has drawn the figure draws them.
+function toggleAll(id) {
+  const { more } = figures.get(id);
+  remember(`all.${id}`, state.has(`all.${id}`) ? "" : "1");
+  more();
+}
+
+function dressDrawn(element, follows) {
+  const template = element.querySelector("template");
+  const first = element.querySelector("svg");
+  const whole = template?.content.querySelector("svg");
+  const show = () => {
+    const all = whole && state.has(`all.${element.id}`);
+    element.querySelector("svg").replaceWith(all ? whole : first);
+    dressFigure(element, data.figures[`${element.id}${all ? "-all" : ""}`], { follows, prefix: `${element.id}${all ? "-all" : ""}`, more: whole && show });
+  };
+  show();
+}
+
+function dressFigure(element, series, { follows = false, prefix = element.id, more = null, count = data.figures[`${element.id}-all`]?.length } = {}) {
   const svg = element.querySelector("svg");
   const id = element.id;
   const known = figures.get(id);
-  known?.legend?.remove();
-  const figure = { id, svg, series, follows, at: null, chosen: new Set((state.get(`only.${id}`) ?? "").split("|").filter(Boolean)) };
+  known?.legend.remove();
+  const figure = { id, element, svg, series, follows, prefix, more, at: null, chosen: new Set((state.get(`only.${id}`) ?? "").split("|").filter((name) => series.some((one) => one.name === name))) };
   figures.set(id, figure);
+  figure.none = make("span", { class: "fault", role: "status" });
   figure.legend = make("div", { class: "legend", role: "group", "aria-label": "Show only" },
-    ...series.map((one) => make("button", { type: "button", "data-name": one.name, "aria-pressed": "false", click: () => isolate(figure, one.name) },
-      make("i", { style: `background:${one.colour}` }), one.name)));
-  if (series.length > 1) svg.after(figure.legend);
+    ...(series.length > 1 ? series.filter((one) => one.leads !== false).map((one) => make("button", { type: "button", "data-name": one.name, "aria-pressed": "false", click: () => isolate(figure, one.name) },
+      make("i", { style: `background:${one.colour}` }), one.name)) : []),
+    ...(more ? [make("button", { type: "button", class: "all", click: () => { toggleAll(id); figures.get(id).legend.querySelector(".all").focus(); } }, few(figure) ? `show all ${count}` : "show the leading ones")] : []),
+    figure.none);
+  svg.after(figure.legend);
   if (!known) {
     const current = () => figures.get(id);
     element.addEventListener("pointermove", (event) => {
@@ -113,6 +138,7 @@ function dressFigure(element, series, follows = false) {
       if (point) { showTip(current(), point); take(current()); }
     });
     element.addEventListener("keydown", (event) => { if (event.target === element) step(current(), event); });
+    element.addEventListener("focus", () => { if (element.matches(":focus-visible")) step(current(), { key: "ArrowRight", preventDefault() {} }); });
     element.addEventListener("blur", () => { tip.hidden = true; });
     element.setAttribute("aria-description", "Arrow keys read the points, Enter copies");
   }

@@ -31,9 +31,9 @@ function start() {
     }
   }, { rootMargin: "800px" });
   for (const table of tables) near.observe(table);
-  for (const [id, series] of Object.entries(data.figures)) {
+  for (const id of Object.keys(data.figures)) {
     const element = document.getElementById(id);
-    if (element && id !== "answer-figure") dressFigure(element, series, id === "time-against-error");
+    if (element && id !== "answer-figure") dressDrawn(element, id === "time-against-error");
   }
   if (data.answer) showAnswer();
   if (document.querySelector("[lang=zh-Hans]") && lacksChinese()) {

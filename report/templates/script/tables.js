@@ -164,12 +164,18 @@ function viewBar() {
   let waiting = 0;
   const refresh = () => {
     clearTimeout(waiting);
-    waiting = setTimeout(() => { say(`${filterTables()} rows of methods shown`); showFigures(); }, 120);
+    waiting = setTimeout(() => {
+      const rows = filterTables();
+      say(`${rows} rows of methods shown`);
+      none.textContent = rows ? "" : "No method fits.";
+      showFigures();
+    }, 120);
   };
+  const none = make("span", { class: "fault", role: "status" });
   const input = make("input", { type: "search", size: 16, placeholder: "part of an id", value: state.get("method") ?? "", input: () => { remember("method", input.value.trim()); refresh(); } });
   const bar = make("form", { id: "view", role: "search", "aria-label": "What tables and figures show", submit: (event) => event.preventDefault() },
     make("label", {}, "method ", input),
-    choice("family", [["", "all"], ...families.map((one) => [one, one])], state.get("family") ?? "", (chosen) => { remember("family", chosen); refresh(); }));
+    choice("family", [["", "all"], ...families.map((one) => [one, one])], state.get("family") ?? "", (chosen) => { remember("family", chosen); refresh(); }), none);
   if (withUnits.length) bar.append(choice("errors in", UNITS, state.get("unit") ?? "u", (chosen) => { remember("unit", chosen === "u" ? "" : chosen); showUnits(); }));
   const answer = document.getElementById("answer") ?? document.getElementById("opening");
   if (answer) answer.closest("section").after(bar);
