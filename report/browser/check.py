@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The page in headless Chromium: python3 -I check.py. Exit 77 where Chromium or playwright-core is missing, with a line that says so.
+"""The page in headless Chromium: python3 -I check.py. Exit 77 where Chromium, playwright-core or axe-core is missing, with a line that says so.
 
-Debian's package `chromium` has the first; `npm install playwright-core` in build/browser, or wherever BEZIERBENCH_PLAYWRIGHT says,
-the second. Nothing else of this project needs either.
+Debian's package `chromium` has the first; `npm install playwright-core axe-core` in build/browser, or wherever BEZIERBENCH_PLAYWRIGHT says,
+the others. Nothing else of this project needs any of them.
 """
 
 import importlib.util
@@ -46,7 +46,9 @@ def _large(bundle, out):
 
 def main():
     chromium = shutil.which("chromium") or shutil.which("chromium-browser")
-    absent = [name for name, there in (("chromium", chromium), ("node", shutil.which("node")), ("playwright-core", _playwright())) if not there]
+    axe = Path(_playwright() or ".").parent / "axe-core/axe.min.js"
+    absent = [name for name, there in (("chromium", chromium), ("node", shutil.which("node")), ("playwright-core", _playwright()),
+                                   ("axe-core", axe.is_file())) if not there]
     if absent:
         print(f"skipped: missing: {', '.join(absent)}")
         return SKIPPED
@@ -59,7 +61,9 @@ def main():
         if code := render([str(bundle), "--comparison", str(comparison), "--out", f"{place}/page"]):
             return code
         _large(Bundle(bundle), f"{place}/large")
-        done = subprocess.run(["node", str(HERE / "page.mjs"), _playwright(), chromium, f"{place}/page", f"{place}/large"], check=False)
+        if code := render([str(ROOT / "results/atlas/speed"), "--out", f"{place}/real"]):
+            return code
+        done = subprocess.run(["node", str(HERE / "page.mjs"), _playwright(), str(axe), chromium, f"{place}/page", f"{place}/large", f"{place}/real"], check=False)
         return done.returncode
 
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Opens a rendered page in Chromium and tries every control. Arguments: playwright-core's folder, Chromium, the rendered folder of a
-// bundle with all chapters, that of a large bundle. Prints one line per check that fails; exit 1 where any does.
+// Opens a rendered page in Chromium and tries every control. Arguments: playwright-core's folder, axe's script, Chromium, the rendered folder
+// of a bundle with all chapters, that of a large bundle, and that of one with many methods. Prints one line per check that fails; exit 1 where any does.
+import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 
-const [, , library, executablePath, folder, large] = process.argv;
+const [, , library, axe, executablePath, folder, large, real] = process.argv;
 const { chromium } = createRequire(`${library}/package.json`)("playwright-core");
 const failures = [];
 const trouble = [];
@@ -20,7 +21,7 @@ async function open(path, options = {}, hash = "") {
   const context = await browser.newContext({ viewport: { width: 1400, height: 900 }, ...options });
   await context.addInitScript(() => Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text) => { window.copied = text; } } }));
   const page = await context.newPage();
-  page.setDefaultTimeout(120000);
+  page.setDefaultTimeout(40000);
   page.on("console", (message) => trouble.push(`${message.type()}: ${message.text()}`));
   page.on("pageerror", (error) => trouble.push(`error: ${error.message}`));
   page.on("request", (request) => { if (!request.url().startsWith(`file://${path}`)) trouble.push(`request: ${request.url()}`); });
@@ -71,6 +72,7 @@ async function tables(page) {
   check(await cell.textContent() === first, "the first unit does not come back");
 }
 
+const known = new Set("de_casteljau horner_bernstein direct volk_schumaker wozny_chudy compensated_de_casteljau correctly_rounded".split(" "));
 const visible = (page) => page.$$eval('table[data-rows="methods"] tbody', (all) => all.filter((body) => !body.hidden).map((body) => body.dataset.key));
 
 async function filters(page) {
@@ -88,6 +90,16 @@ async function filters(page) {
   await family.selectOption("");
   await page.waitForTimeout(400);
   check((await visible(page)).length === all.length, "not everything comes back");
+  await page.locator("#view input").fill("zzz");
+  await page.waitForTimeout(400);
+  check((await visible(page)).length === 0 && (await page.locator("#view .fault").textContent()).includes("No method"), "a filter without a match is not said");
+  const drawn = await page.$$eval("main figure", (all) => all.flatMap((figure) => [...figure.querySelectorAll('svg [id*="-s"]')]
+    .filter((one) => /-s\d+-\d+$/.test(one.id) && getComputedStyle(one).visibility !== "hidden").map(() => figure.id)));
+  const free = await page.evaluate(() => Object.entries(JSON.parse(document.getElementById("page-data").textContent).figures)
+    .filter(([, series]) => series.some((one) => !one.methods.length)).map(([id]) => id));
+  check(drawn.every((id) => free.includes(id)), `a filter without a match leaves lines in ${[...new Set(drawn)].filter((id) => !free.includes(id))}`);
+  await page.locator("#view input").fill("");
+  await page.waitForTimeout(400);
 }
 
 async function answer(page) {
@@ -111,17 +123,28 @@ async function answer(page) {
   const errors = (await rows()).map((row) => row[2]).sort((a, b) => a - b);
   const middle = errors[Math.floor(errors.length / 2) - 1];
   const tolerance = page.locator("#picker").getByLabel("tolerance");
-  await tolerance.fill(String(middle));
-  await tolerance.press("Enter");
+  await tolerance.fill(String(middle)); // the answer follows what is typed
   const right = (await rows()).map((row) => row[2]);
   check(right.length === errors.filter((error) => error <= middle).length, `${right.length} methods keep ${middle}`);
   check((await page.locator("#answer-sentence").textContent()).startsWith("Fastest within"), await page.locator("#answer-sentence").textContent());
   check(await page.locator("#answer-figure svg g.missed").count() > 0, "the figure shows no method that misses the tolerance");
+  const unit = page.locator("#picker label", { hasText: /^in u p~/ }).locator("select");
+  await unit.selectOption("coordinate");
+  await tolerance.fill("1");
+  const said = await page.locator("#answer-sentence").textContent();
+  check(said.includes("coordinate units") && !said.includes("u p~"), `in coordinate units the sentence has two: ${said}`);
+  await unit.selectOption("u");
   await tolerance.fill("1e-30");
-  await tolerance.press("Enter");
   check((await page.locator("#answer-sentence").textContent()).startsWith("No method"), "a tolerance that none keeps has an answer");
+  for (const [typed, why] of [["abc", "is not a number"], ["-1", "is negative"], ["1,5", "write 1.5"]]) {
+    await tolerance.fill(typed);
+    const fault = await page.locator("#fault").textContent();
+    check(fault.includes(typed) && fault.includes(why), `of ${typed} it says: ${fault}`);
+    check(await tolerance.getAttribute("aria-invalid") === "true", `${typed} is not marked as wrong`);
+    check((await rows()).length === errors.length, `with ${typed} there are ${(await rows()).length} methods`);
+  }
   await tolerance.fill("");
-  await tolerance.press("Enter");
+  check(await page.locator("#fault").textContent() === "" && await tolerance.getAttribute("aria-invalid") === "false", "a fault stays when its cause is gone");
 }
 
 // Each entry of the contents leads to its heading, also where what lies between has not been laid out yet.
@@ -155,11 +178,14 @@ async function figures(page) {
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   check((await page.locator(".tip").textContent()).includes("observed errors of at most"), "no values under the pointer");
   await figure.focus();
+  await page.keyboard.press("Shift+Tab");
+  await page.keyboard.press("Tab");
+  check(await page.locator(".tip").isVisible(), "a figure that has the focus shows no values");
   await page.keyboard.press("ArrowRight");
   const one = await page.locator("#said").textContent();
   await page.keyboard.press("ArrowRight");
   check(one && one !== await page.locator("#said").textContent(), "the arrow keys do not read the points");
-  const inPage = await page.$$eval("main figure", (all) => all.filter((one) => one.querySelector(".legend")).map((one) => one.id));
+  const inPage = await page.$$eval("main figure", (all) => all.filter((one) => one.querySelector(".legend [data-name]")).map((one) => one.id));
   check(inPage.length > 8, `only ${inPage.length} figures have a legend`);
   for (const id of inPage) {
     const legend = page.locator(`[id="${id}"] .legend button`).first();
@@ -186,6 +212,53 @@ async function figures(page) {
     await page.evaluate(() => { window.copied = ""; });
     await page.mouse.click(...at);
     check(/^bezierbench replay \S+ \w+$/.test(await page.evaluate(() => window.copied)), `copied: ${await page.evaluate(() => window.copied)}`);
+  }
+}
+
+// The page of a bundle with many methods: at most eight lines until all are asked for, each with values, in one colour throughout.
+async function leading(path) {
+  const page = await open(path);
+  const series = await page.evaluate(() => JSON.parse(document.getElementById("page-data").textContent).figures);
+  const colours = new Map();
+  for (const [id, lines] of Object.entries(series)) {
+    const methods = lines.filter((one) => one.methods.length);
+    check(lines.some((one) => one.points.length), `${id}: no point has values`);
+    if (id.endsWith("-all")) continue;
+    check(new Set(methods.map((one) => one.colour)).size >= Math.min(8, methods.length), `${id}: two lines have one colour`);
+    for (const one of methods.filter((line) => known.has(line.methods[0]))) {
+      check((colours.get(one.methods[0]) ?? one.colour) === one.colour, `${one.methods[0]} has two colours, one in ${id}`);
+      colours.set(one.methods[0], one.colour);
+    }
+  }
+  const whole = Object.keys(series).filter((id) => id.endsWith("-all")).map((id) => id.slice(0, -4));
+  check(whole.length > 2, `only ${whole} show some of their methods`);
+  for (const id of whole) {
+    const names = () => page.locator(`[id="${id}"] .legend button[data-name]`).count();
+    const button = page.locator(`[id="${id}"] .legend button.all`);
+    const few = await names();
+    check(few <= 8 || id === "time-against-error", `${id} has ${few} lines at first`);
+    await button.evaluate((one) => one.click());
+    check(await names() === series[`${id}-all`].length, `${id}: all are ${series[`${id}-all`].length}, shown are ${await names()}`);
+    await button.evaluate((one) => one.click());
+    check(await names() === few, `${id} does not go back`);
+  }
+  const answer = page.locator("#answer-figure");
+  check(await answer.locator(".legend button[data-name]").count() <= 8 && await answer.locator("svg .other").count() > 0, "the answer draws more than eight in colour");
+  const out = await answer.locator("svg").evaluate((svg) => [...svg.querySelectorAll("g path")].filter((one) => one.getBBox().y < 0).length);
+  check(out === 0, `${out} bounds lie outside the frame`);
+  await page.context().close();
+}
+
+// No violation that axe knows of, in either colour scheme.
+async function accessible(path) {
+  for (const colorScheme of ["light", "dark"]) {
+    const page = await open(path, { colorScheme });
+    await page.evaluate(() => document.querySelectorAll("section").forEach((section) => { section.style.contentVisibility = "visible"; }));
+    await page.evaluate(readFileSync(axe, "utf8"));
+    const { violations } = await page.evaluate(() => window.axe.run({ resultTypes: ["violations"] }));
+    for (const one of violations) check(false, `${colorScheme}: ${one.id}, ${one.help}: ${one.nodes.slice(0, 3).map((node) => node.html.slice(0, 160)).join(" | ")} (${one.nodes.length})`);
+    check(violations.length === 0, `${colorScheme}: ${violations.length} violations`);
+    await page.context().close();
   }
 }
 
@@ -269,7 +342,7 @@ for (const [name, part] of Object.entries({ tables, filters, answer, figures }))
     failures.push(`${name}: ${error.message.split("\n")[0]}`);
   }
 }
-for (const [name, part] of Object.entries({ permalinks: () => permalinks(path, page), contents: () => contents(path), small: () => contents(path, { viewport: { width: 390, height: 844 } }), looks: () => looks(path), many: () => many(`${large}/report.html`) })) {
+for (const [name, part] of Object.entries({ permalinks: () => permalinks(path, page), contents: () => contents(path), small: () => contents(path, { viewport: { width: 390, height: 844 } }), looks: () => looks(path), many: () => many(`${large}/report.html`), leading: () => leading(`${real}/report.html`), accessible: () => accessible(path), real: () => accessible(`${real}/report.html`) })) {
   try {
     await part();
   } catch (error) {
