@@ -2,6 +2,8 @@
 // What the runtime libraries of Debian for wasm32 leave out. C++ exceptions are those of WebAssembly, for libc++abi is built
 // without any: no handler of the library asks for a type, so an exception has its object and what destroys it, and no tables;
 // guarded() asks what was thrown. The compiler's functions for integers of 128 bits guard their stack.
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -10,6 +12,7 @@
 #include <typeinfo>
 
 #include "bindings/c/status.hpp"
+#include "core/error_free.hpp"
 #include "reference/length/length_panels.hpp"
 
 namespace {
@@ -41,14 +44,22 @@ void __cxa_free_exception(void* object) noexcept { std::free(&thrown_with(object
   __builtin_wasm_throw(0, object);
 }
 
-void* __cxa_begin_catch(void* object) noexcept {
-  return caught = object;
-}
+void* __cxa_begin_catch(void* object) noexcept { return caught = object; }
 
 void __cxa_end_catch() {
   auto& thrown = thrown_with(caught);
   if (thrown.destroy != nullptr) thrown.destroy(caught);
   std::free(&thrown);
+}
+
+/// That of Debian's C library rounds twice where the sum in double is halfway between two floats. Rounded to odd instead, with
+/// its 53 bits the sum decides as the exact one does ([Boldo and Melquiond 2008]).
+float fmaf(float a, float b, float c) {
+  const double product = static_cast<double>(a) * b;  // exact
+  const auto sum = bezierbench::two_sum<double>(product, c);
+  const auto bits = std::bit_cast<std::int64_t>(sum.value);
+  if (!(std::abs(sum.error) > 0) || bits % 2 != 0) return static_cast<float>(sum.value);
+  return static_cast<float>(std::bit_cast<double>(bits + ((sum.error > 0) == (sum.value > 0) ? 1 : -1)));
 }
 
 std::uintptr_t __stack_chk_guard = 0x4c95a317;

@@ -10,7 +10,6 @@ const [wasm, folder] = process.argv.slice(2);
 const library = await load(readFileSync(wasm));
 const bytes = readFileSync(`${folder}/numbers`);
 const expected = new Float64Array(bytes.buffer, bytes.byteOffset, bytes.length / 8);
-const atCurveAndParameters = new Set(["exact", "error"]);
 const atMethodCurveAndParameters = new Set(["evaluate", "bound"]);
 const withoutCurve = new Set(["ease", "exactEase"]);
 
@@ -18,15 +17,17 @@ const withoutCurve = new Set(["ease", "exactEase"]);
 const flat = (answer) => (typeof answer === "number" || typeof answer === "boolean" ? [Number(answer)]
   : typeof answer === "string" ? [] : ArrayBuffer.isView(answer) ? [...answer] : Object.values(answer).flatMap(flat));
 
-function ask(curve, name, rest) {
+function ask(curve, name, rest, before) {
   if (withoutCurve.has(name)) return library[name](...rest);
-  if (atCurveAndParameters.has(name)) return library[name](curve, curve.ts, ...rest);
+  if (name === "exact") return library.exact(curve, curve.ts, ...rest);
+  if (name === "error") return library.error(curve, curve.ts, before, ...rest);
   if (name === "split") return library.split(rest[0], curve, rest[1]).map(({ points, weights }) => [points, weights ?? []]);
   if (atMethodCurveAndParameters.has(name)) return library[name](rest[0], curve, curve.ts, ...rest.slice(1));
   return typeof rest[0] === "string" && name !== "roots" ? library[name](rest[0], curve, ...rest.slice(1)) : library[name](curve, ...rest);
 }
 
 let curves;
+let numbers = [];
 let place = 0;
 let wrong = 0;
 const differ = (question, what) => {
@@ -38,10 +39,11 @@ for await (const line of createInterface({ input: createReadStream(`${folder}/qu
   const [question, count] = JSON.parse(line);
   const [number, name, ...rest] = question;
   const curve = curves[number];
-  const numbers = count > 0 ? expected.subarray(place, place += count) : [];
+  const before = numbers;
+  numbers = count > 0 ? expected.subarray(place, place += count) : [];
   let answer;
   try {
-    answer = ask(curve, name, rest);
+    answer = ask(curve, name, rest, before);
   } catch (fault) {
     if (!(fault instanceof BezierbenchError)) throw fault;
     if (fault.status !== -count) differ(question, `status ${fault.status} (${fault.message}), native ${count > 0 ? "numbers" : -count}`);

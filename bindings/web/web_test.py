@@ -56,8 +56,8 @@ def parameters_of(random, inside):
 
 
 class Native:
-    """Asks the native library what the module is asked; answers are the numbers that the module's answer flattens to, or the
-    status."""
+    """Puts a question to the native library, as web_test.mjs does to the module. An answer is the numbers of the module's, in
+    the order of its members, a text, or the status."""
 
     def __init__(self, library, curve_type, batch_type, half_type):
         self.library, self.curve_type, self.batch_type, self.half_type = library, curve_type, batch_type, half_type
@@ -116,7 +116,8 @@ class Native:
         kind = np.dtype({"names": list("abcd"[: len(fields)]),
                          "formats": [{"d": "f8", "q": "i8", "i": "i4"}[field] for field in fields]}, align=True)
         out = np.zeros(1, kind)
-        status = getattr(self.library, name)(*arguments, out.ctypes.data_as(self.library[name].argtypes[-1]))
+        function = getattr(self.library, name)
+        status = function(*arguments, out.ctypes.data_as(function.argtypes[-1]))
         return status or [float(number) for number in out[0]]
 
     def arcLength(self, method, *arguments):
@@ -178,7 +179,8 @@ def takes(method, curve, float=False):
 
 
 def questions(random, native, methods, curves, few):
-    """(question, answer) for every curve; lengths and the like, which are slow, for the first `few`."""
+    """(question, answer) for every curve; an error is that of the numbers of the answer before it. Lengths, feet and roots, which
+    take longer, are for the first `few`."""
     evaluators = [method for method in methods if method.problem == b"evaluation"]
     for number, curve in enumerate(curves):
         native.set(curve)
@@ -194,7 +196,7 @@ def questions(random, native, methods, curves, few):
             method = taking[number % len(taking)].id.decode()
             if not is_float:
                 if last:
-                    yield [number, "error", last], native.error(last)
+                    yield [number, "error", {"float": False}], native.error(last)
                 yield [number, "bound", method, {"float": False}], native.bound(method)
                 yield [number, "exact", {"float": False}], native.exact()
             elif curve["form"] == "bernstein":
@@ -251,9 +253,9 @@ def float_questions(native, curves):
         answer = []
         for k, (value, exact) in enumerate(zip(rounded, true)):
             difference = abs(Fraction(value) - exact)
-            spacing = Fraction(float(np.spacing(np.float32(value))))  # ordinary values are not next to a power of two
+            spacing = Fraction(abs(float(np.spacing(np.float32(value)))))  # ordinary values are not next to a power of two
             answer += [value, errors[4 * k + 1], float(difference / spacing), errors[4 * k + 3] * 2.0**-29]
-        yield [number, "error", rounded, {"float": True}], answer
+        yield [number, "error", {"float": True}], answer
 
 
 def main(arguments):
