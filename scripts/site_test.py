@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """site_test.py PROGRAM: scripts/site writes a site without faults, with the answers of the committed bundles first and a page for every
-method that PROGRAM lists. Exit 77, with a line that says so, where pandoc is missing."""
+method that PROGRAM lists. site_test.py PROGRAM --browser: the same site in headless Chromium, light and dark, on a screen and on a phone.
+Exit 77, with a line that says so, where pandoc or what --browser requires is missing."""
+import importlib.util
 import shutil
 import subprocess
 import sys
@@ -39,13 +41,28 @@ def faults(site, program):
             yield f"{name}: without {words}"
 
 
-def main(program):
-    if not shutil.which("pandoc"):
-        print("skipped: pandoc is missing")
+def browser():
+    """(what is missing, the arguments of page.mjs before the folder)"""
+    spec = importlib.util.spec_from_file_location("browser_check", ROOT / "report/browser/check.py")
+    check_of_pages = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(check_of_pages)
+    playwright = check_of_pages._playwright()
+    chromium = shutil.which("chromium") or shutil.which("chromium-browser")
+    axe = Path(playwright or "", "../axe-core/axe.min.js")
+    required = {"chromium": chromium, "node": shutil.which("node"), "playwright-core": playwright, "axe-core": axe.is_file()}
+    return [name for name, there in required.items() if not there], [playwright, axe, chromium]
+
+
+def main(program, in_browser):
+    missing, arguments = browser() if in_browser else ([], [])
+    if missing := missing + ["pandoc"] * (not shutil.which("pandoc")):
+        print(f"skipped: missing: {', '.join(missing)}")
         return SKIPPED
     with tempfile.TemporaryDirectory() as place:
         site = Path(place) / "with a blank"
         subprocess.run([ROOT / "scripts/site", site, "--program", program], check=True)
+        if in_browser:
+            return subprocess.run(["node", ROOT / "report/site/page.mjs", *arguments, site], check=False).returncode
         found = list(faults(site, program))
         pages = sum(1 for _ in site.rglob("*.html"))
     print(*found or [f"{pages} pages, every link and anchor resolves"], sep="\n")
@@ -53,4 +70,4 @@ def main(program):
 
 
 if __name__ == "__main__":
-    sys.exit(main(Path(sys.argv[1]).resolve()))
+    sys.exit(main(Path(sys.argv[1]).resolve(), sys.argv[2:] == ["--browser"]))

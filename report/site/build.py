@@ -102,13 +102,15 @@ def write_methods(site, pages):
     site.page("methods/index.html", "methods.html.j2", title="Methods", groups=pages.index(typeset), composed=pages.composed())
 
 
-def copy_playground(site):
-    """Whether there is one: its folder, with the engine where that is built."""
-    if not (PLAYGROUND / "index.html").exists() or not all(path.exists() for path in ENGINE):
+def write_playground(site):
+    """Whether there is one: its page with the engine inside, where that is built."""
+    if not (PLAYGROUND / "bundle.py").exists() or not all(path.exists() for path in ENGINE):
         return False
-    shutil.copytree(PLAYGROUND, site.out / "playground", dirs_exist_ok=True)
-    for path in ENGINE:
-        shutil.copyfile(path, site.out / "playground" / path.name)
+    from .playground import bundle
+    try:
+        bundle.write(site.out / "playground")
+    except bundle.Fault as fault:
+        raise Fault(str(fault)) from None
     return True
 
 
@@ -117,7 +119,7 @@ def build(out, program):
     site = Site(out)
     said = []
     site.write("site.css", style())
-    site.playground = copy_playground(site)
+    site.playground = write_playground(site)
     if not site.playground:
         said.append(NO_PLAYGROUND)
     pages = methods.Pages(program)

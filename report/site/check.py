@@ -11,7 +11,7 @@ from pathlib import Path
 LOADED = {"src", "srcset", "poster", "data"}  # attributes whose target a browser fetches by itself; and href of these:
 LOADING = ("link", "use", "image")
 ABSOLUTE = re.compile(r"(?i)(?:https?:|ftp:)?//|file:")
-FETCHED = re.compile(r"""(?i)url\(\s*["']?((?:https?:)?//[^)"']*)|@import\s+(["'][^"']*)""")
+FETCHED = re.compile(r"""(?i)url\(\s*["']?((?:https?:)?//[^)"']*)|@import\s+["']((?:https?:)?//[^"']*)""")
 ONCE = ("main", "h1")
 
 

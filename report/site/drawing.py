@@ -3,6 +3,7 @@
 each, and a page for every method has two of them."""
 import html
 import math
+from fractions import Fraction
 
 from report.wording import general
 
@@ -54,11 +55,13 @@ def _point(control, weights, t):
     return [x / points[0][-1] for x in points[0][:-1]]
 
 
-def from_power(coefficients):
-    """Control points of a polynomial curve, to draw it: b_i = sum C(i,j)/C(n,j) q_j."""
-    n = len(coefficients) - 1
-    return [[sum(math.comb(i, j) / math.comb(n, j) * coefficients[j][axis] for j in range(i + 1)) for axis in range(len(coefficients[0]))]
-            for i in range(n + 1)]
+def control_points(coefficients, form):
+    """Control points to draw a curve by, from the first one on: differences that rounding would lose are exact here. Of power form
+    b_i = sum C(i,j)/C(n,j) q_j."""
+    n, exact = len(coefficients) - 1, [[Fraction(x) for x in point] for point in coefficients]
+    if form == "power":
+        exact = [[sum(Fraction(math.comb(i, j), math.comb(n, j)) * exact[j][axis] for j in range(i + 1)) for axis in (0, 1)] for i in range(n + 1)]
+    return [[float(x - first) for x, first in zip(point, exact[0])] for point in exact]
 
 
 def curve(title, control, t, weights=None):
@@ -82,6 +85,7 @@ def curve(title, control, t, weights=None):
     marked = at(_point(control, weights, t))
     dots = "".join(f'<circle class="control" cx="{x:.1f}" cy="{y:.1f}" r="4"><title>{name}</title></circle>'
                    for name, (x, y) in ((f"control point {i}", at(point)) for i, point in enumerate(control)))
-    return (f'<svg class="chart" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" aria-label="{html.escape(title)}"><path class="polygon" d="{path(control)}" />{dots}'
+    return (f'<svg class="chart" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" aria-label="{html.escape(title)}">'
+            f'<path class="polygon" d="{path(control)}" />{dots}'
             f'<path class="line own" d="{path(line)}" /><circle class="marked" cx="{marked[0]:.1f}" cy="{marked[1]:.1f}" r="5"><title>t = {t:.6g}</title></circle></svg>',
             stretched)

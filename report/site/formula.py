@@ -7,8 +7,8 @@ import re
 GREEK = "alpha beta gamma delta epsilon eta theta kappa lambda phi pi rho sigma tau"
 OPERATORS = "fma pow fl asinh sign cbrt"
 PRODUCTS = "dn nk ik kj mn dC dM dh dt"  # of two letters, not words
-NAMED = {"min": r"\min", "max": r"\max", "cos": r"\cos", "sin": r"\sin", "ln": r"\ln", "log": r"\log", "sum": r"\sum", "prod": r"\prod", "log2": r"\log_2", "sqrt": r"\sqrt", "floor": "", "ceil": "",
-         **{name: f"\\{name}" for name in GREEK.split()}, **{name: rf"\operatorname{{{name}}}" for name in OPERATORS.split()}}
+NAMED = {"log2": r"\log_2", "floor": "", "ceil": "", **{name: f"\\{name}" for name in f"min max cos sin ln log sum prod sqrt {GREEK}".split()},
+         **{name: rf"\operatorname{{{name}}}" for name in OPERATORS.split()}}
 SIGNS = {"<=": r"\le ", ">=": r"\ge ", "!=": r"\ne ", "+-": r"\pm ", "-+": r"\mp ", "->": r"\to ", "<-": r"\leftarrow ", "..": r"\ldots ", "...": r"\dots ",
          "*": r"\cdot ", "~": r"\approx ", "{": r"\{", "}": r"\}", "%": r"\%"}
 AROUND = {"floor": (r"\lfloor ", r"\rfloor "), "ceil": (r"\lceil ", r"\rceil "), "sqrt": (r"\sqrt{", "}")}
@@ -174,7 +174,7 @@ class Typesetter:
     def __init__(self, texts, to_html):
         wanted = sorted({words for text in texts for is_math, words in segments(text) if is_math})
         made = to_html({"formulas of the headers": "\n\n".join(f"${words}$" for words in wanted)})["formulas of the headers"]
-        found = re.findall(r"<math\b.*?</math>", made, re.DOTALL)
+        found = re.findall(r"(?:<span[^>]*>)?<math\b.*?</math>(?:</span>)?", made, re.DOTALL)
         if len(found) != len(wanted):
             raise ValueError(f"{len(wanted)} formulas became {len(found)}")
         self.made = dict(zip(wanted, found))

@@ -29,7 +29,6 @@ FORM = {"bernstein": "Bernstein form", "power": "power form", "rational": "ratio
 CURVES = {"bernstein": "Bézier curves", "power": "curves in power form", "rational": "rational curves"}
 PROBLEM = {"bspline": "B-splines", "bounds": "boxes", "easing": "easing curves", "grid": "grids", "interpolation": "interpolation",
            "arc_length": "arc length", "inverse_arc_length": "points at a length", "projection": "nearest points"}
-PAGES = {"bspline": "bspline", "fitting": "fitting", "evaluation": "ladder", "roots": "roots", "conversion": "conversion"}  # atlas, elsewhere of the problem's name
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_:]*")
 
 
@@ -89,7 +88,8 @@ class Answers:
         if bound and all(0 < value < 1e30 for _, value in bound):
             lines.append((f"bound of {method}", "own", True, bound))
         lines = [line for line in lines if line[3]]
-        return {"form": CURVES[form], "svg": drawing.chart(f"Largest error by degree of {', '.join(one for one, *_ in lines)}, in u p~", "degree n", "u p~", lines),
+        title = f"Largest error by degree of {', '.join(one for one, *_ in lines)}, in u p~"
+        return {"form": CURVES[form], "svg": drawing.chart(title, "degree n", "u p~", lines),
                 "names": [(one, style, dashed) for one, style, dashed, _ in lines]}
 
 
@@ -113,10 +113,12 @@ def worst(method, form):
     degree, numbers = int(row["degree"]), [float.fromhex(one) for one in row["coefficients"].split()]
     coefficients = [[numbers[i], numbers[degree + 1 + i]] for i in range(degree + 1)]
     weights = [float.fromhex(one) for one in row["weights"].split()] or None
-    control = drawing.from_power(coefficients) if form == "power" else coefficients
-    svg, stretched = drawing.curve(f"The curve of degree {degree} at which a search found the largest error of {method}", control, float.fromhex(row["t"]), weights)
-    return {"svg": svg, "stretched": stretched, "degree": degree, "form": form, "name": FORM[form], "t": repr(float.fromhex(row["t"])), "error": general(float(row["searched_error_u"])),
-            "sampled": general(float(row["sampled_error_u"])) if row["sampled_error_u"] else "", "bound": general(float(row["bound_u"])) if row["bound_u"] else "",
+    control = drawing.control_points(coefficients, form)
+    t = float.fromhex(row["t"])
+    svg, stretched = drawing.curve(f"The curve of degree {degree} at which a search found the largest error of {method}", control, t, weights)
+    numbers = {name: general(float(row[column])) if row[column] else ""
+               for name, column in (("error", "searched_error_u"), ("sampled", "sampled_error_u"), ("bound", "bound_u"))}
+    return {**numbers, "svg": svg, "stretched": stretched, "degree": degree, "form": form, "name": FORM[form], "t": repr(t),
             "command": f"bezierbench replay {row['bundle']} {row['search_id']}",
             "points": [(repr(x), repr(y)) for x, y in coefficients], "weights": [repr(one) for one in weights or ()]}
 
@@ -219,12 +221,14 @@ class Pages:
             return typeset(words, lambda part: self.words(part, seen))
 
         name = rows[0]["problem"]
-        atlas = f"atlas/{PAGES.get(name, name)}/index.html"
+        atlas = f"atlas/{'ladder' if name == 'evaluation' else name}/index.html"  # suites are named after problems
         forms = [row["form"] for row in rows]
         return {
             "method": method, "label": next((found for one in headers if (found := header.label(method, one))), ""), "problem": problem(rows[0]),
-            "facts": [{"form": FORM[row["form"]], "degrees": f"{row['min_degree']} to {row['max_degree']}", "bound": typeset(row["bound"]) if row["bound"] else "none proved",
-                       "flops": typeset(row["flops"], lambda words: html.escape(words)), "stable": row["bit_stable"] == "yes", "source": row["citation"]} for row in rows],
+            "facts": [{"form": FORM[row["form"]], "degrees": f"{row['min_degree']} to {row['max_degree']}",
+                       "bound": typeset(row["bound"]) if row["bound"] else "none proved",
+                       "flops": typeset(row["flops"], html.escape), "stable": row["bit_stable"] == "yes",
+                       "source": row["citation"]} for row in rows],
             "parts": [(part, address(part)) for part in parts_of(method) if part in self.rows],
             "is_local": method.startswith("local:") or ":local:" in method,
             "headers": [{"path": one.path, "link": posixpath.relpath(place(one.path), "methods"), "code": header.code(method, one),

@@ -20,6 +20,7 @@ ELSEWHERE = "files"
 AS_THEY_ARE = (".svg", ".png", ".html", ".csv", ".tex")
 READ = ("pandoc", "--from=gfm+tex_math_dollars", "--to=html5", "--mathml", "--wrap=preserve", "--no-highlight")
 LINK = re.compile(r'(<(?:a|img)\b[^>]*? (?:href|src)=")([^"]*)(")')
+LONG = 40  # characters of TeX, above which a formula scrolls by itself: browsers do not break it
 OUTSIDE = re.compile(r"[a-z]+:")
 
 
@@ -60,11 +61,14 @@ def _pandoc(text):
 def _readable(formula):
     """MathML as browsers read it, which know no style for several letters: a word is text. Brackets grow around fractions alone."""
     text = re.sub(r'<mstyle mathvariant="normal">((?:<mi>\w</mi>)+)</mstyle>', lambda word: f"<mtext>{re.sub('<.?mi>', '', word[1])}</mtext>", formula[0])
+    tex = re.search(r"<annotation\b[^>]*>(.*?)</annotation>", text, re.DOTALL)
     text = re.sub(r"<annotation\b.*?</annotation>|</?semantics>", "", text, flags=re.DOTALL)
     if "<mfrac>" not in text:
         text = re.sub(r'<mo stretchy="true" form="prefix">([(|])</mo>(?!<mfrac)', r'<mo stretchy="false" form="prefix">\1</mo>', text)
         text = re.sub(r'(?<!</mfrac>)<mo stretchy="true" form="postfix">([)|])</mo>', r'<mo stretchy="false" form="postfix">\1</mo>', text)
-    return text
+    if 'display="block"' in text:
+        return text.replace("<math ", '<math tabindex="0" ', 1)
+    return f'<span class="wide" tabindex="0">{text}</span>' if tex and len(tex[1]) > LONG else text
 
 
 def to_html(texts):
@@ -79,7 +83,8 @@ def to_html(texts):
 
 
 def scrolling(body):
-    """Tables within boxes that scroll, so that a page never does sideways; those boxes can be focused."""
+    """Tables within boxes that scroll, so that a page never does sideways; what scrolls can be focused."""
+    body = body.replace("<pre", '<pre tabindex="0"')
     return re.sub(r"<table\b.*?</table>", lambda table: f'<div class="scroll" tabindex="0">{table[0]}</div>', body, flags=re.DOTALL)
 
 
