@@ -165,6 +165,12 @@ async function reading() {
   await page.click("#previous");
   same(await texts(page, "others-count"), `curve ${native.size} of ${native.size}`, "previous before the first");
   await page.click("#overview", { position: { x: 5, y: 5 } });
+  await page.setInputFiles("#file", { name: "some.csv", mimeType: "text/csv", buffer: Buffer.from(`curve,index,x,y,z,w\na,0,1,2,,\na,1,3,4,,\nb,0,0,0,0,1\nb,1,1,1,1,2\n`) });
+  await until(page, () => document.getElementById("others-count").textContent === "curve 1 of 2", undefined, "the curves of a table");
+  await page.click("#next");
+  same(await points(), "0 0 0 1 1 1 1 2", "a rational line in space");
+  await page.setInputFiles("#file", `${folder}/set.csv`);
+  await until(page, (count) => document.getElementById("others-count").textContent === `curve 1 of ${count}`, native.size, "the set that the program wrote");
   await page.setInputFiles("#file", { name: "a.ttf", mimeType: "font/ttf", buffer: Buffer.from("x") });
   await until(page, () => document.getElementById("given-fault").textContent.includes("Fonts are read by the program"), undefined, "what reads fonts");
   await page.context().close();
