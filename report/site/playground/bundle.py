@@ -56,23 +56,14 @@ def page(library=LIBRARY, wrapper=WRAPPER, site_css=True):
     for path in (library, wrapper):
         if not path.is_file():
             raise Fault(f"{path}: no such file; make it by scripts/build web")
-    script, worker = "\n" + _script("main", wrapper), "\n" + _script("worker", wrapper)
-    style = "\n" + (HERE / "playground.css").read_text(encoding="utf-8")
+    parts = {name: "\n" + _script(entry, wrapper) for name, entry in (("script", "main"), ("worker", "worker"))}
+    parts["style"] = (HERE / "playground.css").read_text(encoding="utf-8")
     if not site_css:
-        style = re.sub(r"^@import .*\n", "", style, flags=re.MULTILINE)
-    program = base64.b64encode(gzip.compress(library.read_bytes(), mtime=0)).decode()
-    policy = (f"default-src 'none'; script-src {_hash(script)} 'wasm-unsafe-eval'; worker-src blob:; style-src 'self' {_hash(style)}; "
-              "img-src data:; base-uri 'none'; form-action 'none'")
-    text = (HERE / "index.html").read_text(encoding="utf-8")
-    for pattern, instead in ((r'(?<=http-equiv="Content-Security-Policy" content=")[^"]*', policy),
-                             (r'<link rel="stylesheet" href="playground.css">', f"<style>{style}</style>"),
-                             (r'<script type="module" src="main.mjs"></script>\n', ""),
-                             (r"</body>", f'<script type="text/plain" id="program">{program}</script>\n<script type="text/plain" id="worker-script">'
-                              f"{worker}</script>\n<script>{script}</script>\n</body>")):
-        text, count = re.subn(pattern, lambda _, as_it_is=instead: as_it_is, text)
-        if count != 1:
-            raise Fault(f"index.html: {count} places match {pattern} instead of 1; correct it or bundle.py")
-    return text
+        parts["style"] = re.sub(r"^@import .*\n", "", parts["style"], flags=re.MULTILINE)
+    parts["program"] = base64.b64encode(gzip.compress(library.read_bytes(), mtime=0)).decode()
+    parts["policy"] = (f"default-src 'none'; script-src {_hash(parts['script'])} 'wasm-unsafe-eval'; worker-src blob:; "
+                       f"style-src 'self' {_hash(parts['style'])}; img-src data:; base-uri 'none'; form-action 'none'")
+    return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]], (HERE / "index.html").read_text(encoding="utf-8"))
 
 
 def write(folder, **given):

@@ -48,7 +48,8 @@ export function check({ form, dimension, points, weights }) {
 // The curve whose numbers are the nearest floats.
 export const inFloat = (curve) => ({ ...curve, points: curve.points.map(Math.fround), weights: curve.weights && curve.weights.map(Math.fround) });
 
-export const sameCurve = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+const key = ({ form, dimension, points, weights }) => `${form} ${dimension} ${points.map(text)} ${weights?.map(text)}`;
+export const sameCurve = (a, b) => key(a) === key(b);
 
 // x1, y1, x2, y2 of cubic-bezier() in CSS, or null where the curve is not one.
 export function easingOf({ form, dimension, points: p }) {

@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: MIT
 // The library in a worker, so that the page never waits for it. Of each kind of question only the newest is answered.
 
-// A page in one file holds worker and program as text; one in a folder fetches them.
-function start() {
-  const script = document.getElementById("worker-script");
-  if (!script) return [new Worker(new URL("worker.mjs", document.baseURI), { type: "module" }), { url: new URL("bezierbench.wasm", document.baseURI).href }];
-  const address = URL.createObjectURL(new Blob([script.textContent], { type: "text/javascript" }));
-  return [new Worker(address), { base64: document.getElementById("program").textContent }];
-}
+import { byId } from "./dom.mjs";
 
 export class Engine {
   constructor(onFault) {
     this.waiting = new Map(); // kind -> the question that the worker has, and the newest one behind it
     this.number = 0;
-    const [worker, program] = start();
-    this.worker = worker;
-    worker.onerror = (event) => { event.preventDefault(); onFault(`The methods did not load (${event.message ?? "the file worker.mjs is missing"}); reload the page, or open it in a newer browser.`); };
+    // The page holds the worker and the library as text, because browsers fetch nothing from a folder.
+    const script = new Blob([byId("worker-script").textContent], { type: "text/javascript" });
+    const worker = this.worker = new Worker(URL.createObjectURL(script));
+    worker.onerror = (event) => { event.preventDefault(); onFault(`The methods did not load (${event.message}); reload the page, or open it in a newer browser.`); };
     worker.onmessage = ({ data }) => {
       if (data.fatal) return onFault(`The methods did not load (${data.fatal}); reload the page, or open it in a newer browser.`);
       return this.take(data);
     };
-    worker.postMessage({ program });
+    worker.postMessage({ program: byId("program").textContent });
   }
 
   // `answered` gets (answer, fault), for slices several times.

@@ -88,8 +88,8 @@ const companions = {
   },
 };
 
-async function start({ url, base64 }) {
-  if (!base64) { library = await load(url); return; }
+// The library is base64 of its gzip.
+async function start(base64) {
   const packed = new Blob([Uint8Array.from(atob(base64), (one) => one.charCodeAt(0))]).stream();
   library = await load(await new Response(packed.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer());
 }
