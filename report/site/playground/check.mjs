@@ -210,7 +210,13 @@ async function controls() {
     same(await page.inputValue(field), wrong, `${field} keeps what is typed`);
     same(await page.getAttribute(field, "aria-invalid"), "true", `${field} aria-invalid`);
   }
+  await page.fill("#c-0-y", "y");
+  await page.locator(".handle >> nth=2").focus();
+  await page.keyboard.press("ArrowUp");
+  same(await page.inputValue("#c-0-y"), "y", "what is typed stays while a point moves");
   await page.fill("#c-0-x", "0.5");
+  check((await texts(page, "coordinate-fault")).includes("y of point 1 is “y”"), "the other field’s fault is shown again");
+  await page.fill("#c-0-y", "0");
   await page.fill("#t-number", "0.625");
   same([await texts(page, "coordinate-fault"), await texts(page, "t-fault"), await page.inputValue("#t")], ["", "", "0.625"], "corrected");
   await page.focus("#t");
@@ -328,20 +334,17 @@ async function everywhere() {
   }
 }
 
-// The first answer on a cold load: the fastest of three, since other tests run beside this one.
+// The first answer on a cold load, the fastest of three, in 2 s. A machine on which an empty page takes long is too busy to tell.
 async function cold() {
-  const times = [];
-  for (let k = 0; k < 3; k += 1) {
-    const begin = performance.now();
-    const page = await open();
-    await answered(page, "points");
-    times.push(performance.now() - begin);
-    await page.context().close();
-  }
-  check(Math.min(...times) < 2000, `the first answer takes ${times.map(Math.round)} ms`);
-  const size = statSync(`${folder}/index.html`).size;
+  const timed = async (work) => { const begin = performance.now(); await work(); return performance.now() - begin; };
+  const best = async (work) => Math.round(Math.min(await timed(work), await timed(work), await timed(work)));
+  const empty = await best(async () => { const page = await browser.newPage(); await page.goto("data:text/html,"); await page.context().close(); });
+  const first = await best(async () => { const page = await open(); await answered(page, "points"); await page.context().close(); });
+  const busy = empty > 300;
+  check(busy || first < 2000, `the first answer takes ${first} ms`);
+  const { size } = statSync(`${folder}/index.html`);
   check(size < 3e6, `the page has ${size} bytes`);
-  console.log(`first answer after ${Math.round(Math.min(...times))} ms, ${size} bytes`);
+  console.log(`first answer after ${first} ms${busy ? `, not judged: an empty page takes ${empty} ms` : ""}; ${size} bytes`);
 }
 
 await cold();

@@ -40,25 +40,3 @@ export async function copy(words, what) {
     say(`The browser does not allow copying; select ${what.toLowerCase()} and press Ctrl+C.`);
   }
 }
-
-// A field of a number: `place` says what is wrong, and what is typed stays. `apply` gets each number that is one.
-export function numberField(input, place, what, apply) {
-  input.addEventListener("input", () => {
-    try {
-      apply(what(input.value));
-      input.removeAttribute("aria-invalid");
-      if (place.dataset.from === input.id) place.textContent = "";
-    } catch (wrong) {
-      input.setAttribute("aria-invalid", "true");
-      place.dataset.from = input.id;
-      place.textContent = wrong.message;
-    }
-  });
-}
-
-// Shows a number in a field, unless somebody types there.
-export function showIn(input, words) {
-  if (document.activeElement === input && !input.readOnly) return;
-  input.value = words;
-  input.removeAttribute("aria-invalid");
-}

@@ -41,7 +41,7 @@ export function stateOfAddress(address, views) {
 }
 
 // An option and its number; a negative one would read as another option.
-export const option = (name, value) => (String(value).startsWith("-") ? ` --${name}=${value}` : ` --${name} ${value}`);
+export const option = (name, value) => ` --${name}${text(value).startsWith("-") ? "=" : " "}${text(value)}`;
 
 // The curve as path data; null where it is not one.
 export function pathOf(curve) {
