@@ -5,6 +5,9 @@ import { execFileSync } from "node:child_process";
 import { readFileSync, statSync } from "node:fs";
 import { createRequire } from "node:module";
 
+import { examples } from "./examples.mjs";
+import { addressOf, stateOf } from "./link.mjs";
+
 const [, , library, axe, executablePath, folder, program] = process.argv;
 const { chromium } = createRequire(`${library}/package.json`)("playwright-core");
 const failures = [];
@@ -51,19 +54,20 @@ async function shown(page) {
   const words = command.match(/'[^']*'|\S+/g).map((word) => word.replaceAll("'", ""));
   return [words, printed?.replaceAll("\\n", "\n")];
 }
-const number = (word) => (word === "" || word === "inf" ? Infinity : Number(word));
+// Decimal or hexadecimal; without a bound the field is empty.
+function number(word) {
+  const [, sign, digits, part = "", power] = /^(-?)0x(\d)\.?([\da-f]*)p([-+]\d+)$/.exec(word) ?? [];
+  if (digits) return (sign ? -1 : 1) * Number(`0x${digits}${part}`) * 2 ** (Number(power) - 4 * part.length);
+  return word === "" || word === "inf" ? Infinity : Number(word);
+}
 
-const list = (points) => points.join(",");
-const wilkinson = [0.00762258507, -0.0211726953, 0.0504149948, -0.10521191, 0.195227373, -0.325297901, 0.490147106, -0.671190568, 0.838228824, -0.956946729, 1,
-  -0.956946729, 0.838228824, -0.671190568, 0.490147106, -0.325297901, 0.195227373, -0.10521191, 0.0504149948, -0.0211726953, 0.00762258507];
 const curves = {
-  cubic: `#points=${list([0, 0, 1, 2, 3, -1, 4, 0.5])}&t=0.3`,
-  outside: `#points=${list([0, 0, 1, 2, 3, -1, 4, 0.5])}&t=-1.7`,
-  arc: `#form=rational&points=${list([1, 0, 1, 1, 0, 1])}&weights=1,1,2&t=0.7`,
-  far: `#points=${list([3985299.89, 3936898.17, 3975402.9243323114, 3932617.3507746183, 3984019.646329968, 3930692.2808588305, 3985700.64, 3928353.93])}&t=0.61`,
-  power: `#form=power&points=${list([1, 0.1, -3, 2.3, 3, -1.7])}&t=0.37`,
-  wilkinson: `#dimension=1&points=${list(wilkinson)}&t=0.75`,
-  space: `#dimension=3&points=${list([0, 0, 1, 1, 2, 0.3, 3, 1, 2])}&t=0.21`,
+  cubic: "#points=0,0,1,2,3,-1,4,0.5&t=0.3",
+  outside: "#points=0,0,1,2,3,-1,4,0.5&t=-1.7",
+  arc: "#form=rational&points=1,0,1,1,0,1&weights=1,1,2&t=0.7",
+  power: "#form=power&points=1,0.1,-3,2.3,3,-1.7&t=0.37",
+  space: "#dimension=3&points=0,0,1,1,2,0.3,3,1,2&t=0.21",
+  ...Object.fromEntries(examples.map(({ name, curve, t = 0.61 }) => [name, addressOf(stateOf(curve, { t }))])),
 };
 const answered = (page, view) => until(page, (what) => document.documentElement.dataset.answered === what, view, `an answer to ${view}`);
 
@@ -71,8 +75,10 @@ const answered = (page, view) => until(page, (what) => document.documentElement.
 async function table(name, hash) {
   const page = await open(hash);
   await answered(page, "points");
-  const rows = await page.$$eval("#methods tbody tr[data-id]", (all) => all.map((row) => [row.dataset.id, Object.fromEntries(["u", "ulp", "bound"].map((key) => [key, row.querySelector(`td.${key}`).dataset.v])),
-    [...row.querySelectorAll("td.digits")].map((cell) => cell.dataset.v)]));
+  const rows = await page.$$eval("#methods tbody tr[data-id]", (all) => all.map((row) => {
+    const errors = Object.fromEntries(["u", "ulp", "bound"].map((key) => [key, row.querySelector(`td.${key}`).dataset.v]));
+    return [row.dataset.id, errors, [...row.querySelectorAll("td.digits")].map((cell) => cell.dataset.v)];
+  }));
   const exact = await page.$$eval("#methods tr.exact td.digits", (cells) => cells.map((cell) => cell.dataset.v));
   const native = new Map();
   for (const row of csv(...await shown(page))) native.set(row.method, [...(native.get(row.method) ?? []), row]);
@@ -93,12 +99,23 @@ async function table(name, hash) {
   await page.context().close();
 }
 
+// The examples are the curves of the sets that they name.
+function sources() {
+  for (const { id, curve } of examples.filter((one) => one.id)) {
+    const [, set, name] = /^(.*?):(.*)$/.exec(id);
+    const rows = rowsOf(readFileSync(new URL(`../../../reference/curves/sets/${set}.csv`, import.meta.url), "utf8")).filter((row) => row.curve === name);
+    const axes = ["x", "y"].slice(0, curve.dimension);
+    same([curve.points, curve.weights], [rows.flatMap((row) => axes.map((axis) => Number(row[axis]))), rows[0].w ? rows.map((row) => Number(row.w)) : null], id);
+  }
+}
+
 // The answers of the other views.
 async function views() {
   const cubic = curves.cubic.replace("t=0.3", "");
   const column = { length: "length", nearest: "t", chords: "chords", easing: "y" };
   const hashes = [["length", cubic], ["nearest", `${cubic}&foot=1,1`], ["chords", `${cubic}&tolerance=0.01`], ["split", `${cubic}&t=0.3`], ["box", cubic],
-    ["easing", "#points=0,0,0.25,0.1,0.25,1,1,1&x=0.5"], ["length", curves.arc], ["nearest", `${curves.arc}&foot=3,-4`], ["split", curves.arc], ["box", curves.arc], ["chords", `${curves.arc}&tolerance=0.001`]];
+    ["easing", "#points=0,0,0.25,0.1,0.25,1,1,1&x=0.5"], ["length", curves.arc], ["nearest", `${curves.arc}&foot=3,-4`], ["split", curves.arc],
+    ["box", curves.arc], ["chords", `${curves.arc}&tolerance=0.001`]];
   for (const [view, hash] of hashes) {
     const page = await open(`${hash}&view=${view}`);
     await answered(page, view);
@@ -139,9 +156,9 @@ async function reading() {
   }
   // Path data and a drawing, against the program's reader.
   const drawing = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><g transform="translate(10,10) scale(2,-1.5)"><path id="p" d="M0,0 C1,2 3-1 4,.5S6 6 7 0Q8 1 9 0T11 0H3v2a3 4 0 1 0 5 1z"/>
-    <circle cx="3" cy="4" r="1.3"/></g><rect x="1" y="2" width="6" height="5" rx="1"/><rect width="2" height="3"/><ellipse cx="1" cy="1" rx="2" ry="3"/><polygon points="0,0 1,2 3,1"/><line x1="1" x2="5" y2="3"/>
+    <circle cx="3" cy="4" r="1.3"/></g><rect x="1" y="2" width="6" height="5" rx="1"/><rect width="2" height="3"/><ellipse cx="1" cy="1" rx="2" ry="3"/><polygon points="0,0 1,2 3,1"/>
+    <line x1="1" x2="5" y2="3"/>
     <g transform="rotate(90 3 1) matrix(1 0 .5 1 0 0)"><path id="q" d="M1 1A2 1 30 0 1 4 2"/></g><use href="#p" x="3"/></svg>`;
-  const hexadecimal = (word) => { const [, sign, whole, part = "", power] = /^(-?)0x(\d)\.?([\da-f]*)p([-+]\d+)$/.exec(word); return (sign ? -1 : 1) * Number(`0x${whole}${part}`) * 2 ** (Number(power) - 4 * part.length); };
   const native = new Map();
   run(["curves", "-", "--out", `${folder}/set.csv`], drawing);
   for (const row of rowsOf(readFileSync(`${folder}/set.csv`, "utf8"))) native.set(row.curve, [...(native.get(row.curve) ?? []), row]);
@@ -156,7 +173,7 @@ async function reading() {
   for (const [k, rows] of [...native.values()].entries()) {
     await page.selectOption("#others-list", String(k));
     const given = (await points()).split(" ").map(Number);
-    const wanted = rows.flatMap((row) => [row.x, row.y, ...(row.w ? [row.w] : [])]).map(hexadecimal);
+    const wanted = rows.flatMap((row) => [row.x, row.y, ...(row.w ? [row.w] : [])]).map((word) => number(word));
     const rotated = rows[0].curve.startsWith("q"); // sines and cosines of the two libraries may differ in the last digit
     check(given.length === wanted.length && given.every((x, i) => x === wanted[i] || (rotated && Math.abs(x - wanted[i]) < 1e-14)), `${rows[0].curve}: ${given} instead of ${wanted}`);
   }
@@ -204,7 +221,8 @@ async function controls() {
   // Coordinates and t by typing; wrong input stays, and a line names it.
   await page.fill("#c-0-x", "-0.25");
   same((await values())[0], -0.25, "a typed coordinate");
-  for (const [field, fault, wrong, part] of [["#c-0-x", "coordinate-fault", "1,5", "write 1.5"], ["#c-0-x", "coordinate-fault", "", "is empty"], ["#t-number", "t-fault", "abc", "“abc”"]]) {
+  for (const [field, fault, wrong, part] of [["#c-0-x", "coordinate-fault", "1,5", "write 1.5"], ["#c-0-x", "coordinate-fault", "", "is empty"],
+    ["#t-number", "t-fault", "abc", "“abc”"]]) {
     await page.fill(field, wrong);
     check((await texts(page, fault)).includes(part), `${field} “${wrong}” says “${await texts(page, fault)}”`);
     same(await page.inputValue(field), wrong, `${field} keeps what is typed`);
@@ -233,7 +251,10 @@ async function controls() {
   for (const key of ["u", "ulp", "bound", "share", "id"]) {
     await page.click(`#methods th[data-key=${key}] button`);
     const sort = await page.getAttribute(`#methods th[data-key=${key}]`, "aria-sort");
-    const column = await page.$$eval("#methods tbody tr[data-id]", (all, name) => all.map((row) => (name === "id" ? row.dataset.id : Math.max(...row.querySelector(`td.${name}`).dataset.v.split(" ").map((one) => (one === "" ? Infinity : Number(one)))))), key);
+    const column = await page.$$eval("#methods tbody tr[data-id]", (all, name) => all.map((row) => {
+      const numbers = () => row.querySelector(`td.${name}`).dataset.v.split(" ").map((one) => (one === "" ? Infinity : Number(one)));
+      return name === "id" ? row.dataset.id : Math.max(...numbers());
+    }), key);
     check(column.every((value, k) => !k || (sort === "ascending" ? column[k - 1] <= value : column[k - 1] >= value || value === Infinity)), `by ${key}, ${sort}: ${column}`);
   }
   await page.click("#methods th[data-key=u] button");
@@ -241,8 +262,12 @@ async function controls() {
   same(await page.getAttribute("#methods th[data-key=u]", "aria-sort"), "descending", "the second press");
   // Float: every value is one, and within the bound.
   await page.check("input[value=float]");
-  await until(page, () => [...document.querySelectorAll("#methods td.digits")].every((cell) => cell.dataset.v === "" || Math.fround(Number(cell.dataset.v)) === Number(cell.dataset.v)), undefined, "values in float");
-  const beyond = await page.$$eval("#methods tbody tr[data-id]", (all) => all.filter((row) => { const of = (name) => row.querySelector(`td.${name}`).dataset.v.split(" ").map(Number); return row.querySelector("td.bound").dataset.v && of("u").some((u, k) => u > of("bound")[k]); }).map((row) => row.dataset.id));
+  const isFloat = () => [...document.querySelectorAll("#methods td.digits")].map((cell) => Number(cell.dataset.v)).every((x) => Math.fround(x) === x);
+  await until(page, isFloat, undefined, "values in float");
+  const beyond = await page.$$eval("#methods tbody tr[data-id]", (all) => all.filter((row) => {
+    const of = (name) => row.querySelector(`td.${name}`).dataset.v.split(" ").filter(Boolean).map(Number);
+    return of("u").some((u, k) => u > of("bound")[k]);
+  }).map((row) => row.dataset.id));
   same(beyond, [], "beyond the bound in float");
   await page.check("input[value=double]");
   // Forms, points, views.
@@ -348,6 +373,7 @@ async function cold() {
 }
 
 await cold();
+sources();
 for (const [name, hash] of Object.entries(curves)) await table(name, hash);
 await views();
 await reading();

@@ -10,11 +10,9 @@ export class Engine {
     // The page holds the worker and the library as text, because browsers fetch nothing from a folder.
     const script = new Blob([byId("worker-script").textContent], { type: "text/javascript" });
     const worker = this.worker = new Worker(URL.createObjectURL(script));
-    worker.onerror = (event) => { event.preventDefault(); onFault(`The methods did not load (${event.message}); reload the page, or open it in a newer browser.`); };
-    worker.onmessage = ({ data }) => {
-      if (data.fatal) return onFault(`The methods did not load (${data.fatal}); reload the page, or open it in a newer browser.`);
-      return this.take(data);
-    };
+    const fail = (why) => onFault(`The methods did not load (${why}); reload the page, or open it in a newer browser.`);
+    worker.onerror = (event) => { event.preventDefault(); fail(event.message); };
+    worker.onmessage = ({ data }) => { if (data.fatal) fail(data.fatal); else this.take(data); };
     worker.postMessage({ program: byId("program").textContent });
   }
 

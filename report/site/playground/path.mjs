@@ -136,8 +136,10 @@ export function draw(data, path) {
       else if (command === "L") path.lineTo(point());
       else if (command === "H") path.lineTo([next() + shift(0), path.current[1]]);
       else if (command === "V") path.lineTo([path.current[0], next() + shift(1)]);
-      else if (command === "A") { const [rx, ry, degrees, large, sweep] = [next(), next(), next(), flag(), flag()]; path.arcTo([rx, ry], degrees, large, sweep, point()); }
-      else {
+      else if (command === "A") {
+        const [rx, ry, degrees, large, sweep] = [next(), next(), next(), flag(), flag()];
+        path.arcTo([rx, ry], degrees, large, sweep, point());
+      } else {
         const first = command === "S" ? mirrored("CS") : command === "T" ? mirrored("QT") : point();
         control = command === "C" || command === "S" ? point() : first;
         const points = [path.current, first, ...(command === "C" || command === "S" ? [control] : []), point()];

@@ -33,7 +33,9 @@ function ofCsv(lines) {
   const column = (name) => header.indexOf(name);
   const given = axes.filter((name) => column(name) >= 0);
   const unknown = header.find((name) => ![...axes, "curve", "segment", "index", "form", "w", "t"].includes(name));
-  if (unknown !== undefined || !given.length) throw Error(`Line 1 has the column “${unknown ?? header[0]}”; write x,y and w for weights, before these curve,index for several curves.`);
+  if (unknown !== undefined || !given.length) {
+    throw Error(`Line 1 has the column “${unknown ?? header[0]}”; write x,y and w for weights, before these curve,index for several curves.`);
+  }
   const groups = new Map();
   lines.slice(1).forEach((line, k) => {
     const fields = line.split(",").map((field) => field.trim());
