@@ -41,14 +41,15 @@ inline std::size_t length_of(std::string_view text) {
 }
 
 /// `head` and `text` in lines of at most `width` characters, cut at spaces. The first line begins with `head`, the
-/// others with `indent` spaces. A longer word has a line of its own, and so has a command `in backquotes`, which could
-/// not be pasted from two lines.
+/// others with `indent` spaces. A longer word has a line of its own. An interval such as [0, 1] is one word, and so is
+/// a command `in backquotes`, which could not be pasted from two lines.
 inline std::string wrapped(std::string_view head, std::string_view text, std::size_t indent, std::size_t width) {
   std::string all;
   std::string line(head);
   bool has_word = false;
   while (!text.empty()) {
-    const auto closing = text.front() == '`' ? text.find('`', 1) : 0;
+    const char last = text.front() == '[' ? ']' : '`';
+    const auto closing = text.front() == '[' || text.front() == '`' ? text.find(last, 1) : 0;
     const auto word = text.substr(0, text.find(' ', closing == std::string_view::npos ? 0 : closing));
     if (has_word && length_of(line) + 1 + length_of(word) > width) {
       line.erase(line.find_last_not_of(' ') + 1);

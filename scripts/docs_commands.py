@@ -6,7 +6,7 @@ docs_commands.py PROGRAM            exits 1 where a command fails or prints some
 docs_commands.py --update PROGRAM   writes what is printed into the pages
 
 A fenced block `sh` is a script, which must succeed. In a fenced block `console` every line that begins with `$ ` is a command, and
-what follows is its output; of a command that measures, numbers and verdicts may differ, and where it compares with a
+what follows is its output, on lines of 100 characters or as `<!-- columns N -->` says; of a command that measures, numbers and verdicts may differ, and where it compares with a
 committed bundle it may name the differences between the two builds, or say how many there are. A page is run in a copy of
 the repository's folders, in which
 
@@ -35,6 +35,7 @@ MEASURING = re.compile(r"bezierbench (check|doctor|run)\b")
 VARIES = re.compile(r"[-+~]?\d[\d.]*(e[-+]?\d+)?|\b(faster|slower|same|unresolved|ok)\b|-{3,}|\s+")
 OTHER_BUILD = re.compile(r"^ +\w[^\n]* differs:\s.*?\sbefore,\s.*?\snow$|(^against +\S+); \d+ more with --all$", re.MULTILINE | re.DOTALL)
 BLOCK = re.compile(r"^```(sh|console)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+COLUMNS = re.compile(r"<!-- columns (\d+) -->")
 LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
 SKIPPED = "skipped: "
 
@@ -175,6 +176,8 @@ class Page:
             return self.text
         with tempfile.TemporaryDirectory(prefix="bezierbench-docs-") as place:
             copy = Copy(place, self.program)
+            if width := COLUMNS.search(self.text):
+                copy.environment["COLUMNS"] = width[1]
             return BLOCK.sub(lambda match: (self.script if match[1] == "sh" else self.console)(copy, match), self.text)
 
     def check_links(self):

@@ -33,7 +33,7 @@ PARTS = {"answers": lambda _page: answers(Bundle(bundles.ANSWERS), bundles.real(
          "printed": bundles.printed, "printed_orders": bundles.printed_orders, "scorecard": bundles.scorecard,
          "digest": bundles.digest, "gates": bundles.gates, "doors": index.doors, "index": index.index, "statements": program.statements}
 PARTS_OF_PROGRAM = {"comparison": bundles.comparison, "methods": methods.methods, "suites": program.suites,
-                    "generators": program.generators}
+                    "generators": program.generators, "questions": index.questions}
 
 
 def pages():

@@ -32,9 +32,9 @@ def method_list_of(program):
 
 def suites(_page, program):
     """The shipped suites; those of other libraries have no seconds, since these are not everywhere."""
-    body = [[f"[`{row['id']}`](../experiments/suites/{row['file']})", row["title"], row["studies"], row["seconds"]]
+    body = [[f"[`{row['id']}`](../experiments/suites/{row['file']})", row["title"], row["question"], row["studies"], row["seconds"]]
             for row in rows_of(program, "suites")]
-    return table(["id", "what it asks", "studies", "processor seconds"], body)
+    return table(["id", "what it is about", "what it answers", "studies", "processor seconds"], body)
 
 
 def generators(_page, program):

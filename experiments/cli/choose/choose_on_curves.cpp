@@ -290,10 +290,10 @@ Exit choose_on_curves(const Wish& wish) {
                           "observed_max", "bound", "unit", "pareto", "misrounded"});
   auto exit = Exit::fine;
   if (wish.format == "text")
-    fmt::print("times: {}\n\n", answers
-                                    ? "of the shipped answers, from another run and perhaps another machine; --measure "
-                                      "takes them here"
-                                    : "measured now");
+    fmt::print("{}\n",
+               paragraph(answers ? "times: of the shipped answers, from another run and perhaps another machine; "
+                                   "--measure takes them here"
+                                 : "times: measured now"));
   for (const auto& slice : slices) {
     const auto ranking = ranking_of(slice, wish, unit, answers);
     if (wish.format == "csv")

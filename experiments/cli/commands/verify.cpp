@@ -34,10 +34,11 @@ void print_fine(const std::string& path) {
   fmt::print("{}: fine\n", printable(path));
   const auto bundle = bundle::BundleDirectory::open(path);
   if (const auto reference = bundle.table("reference.csv"))
-    fmt::print(
-        "of {} evaluations that accuracy studies judged, {} went through the kernels that are timed, the others "
-        "through kernels for many curves at once\n",
-        sum(*reference, "trials"), sum(*reference, "own_kernel"));
+    fmt::print("{}", wrapped("",
+                             fmt::format("of {} evaluations that accuracy studies judged, {} went through the kernels "
+                                         "that are timed, the others through kernels for many curves at once",
+                                         sum(*reference, "trials"), sum(*reference, "own_kernel")),
+                             4));
   if (const auto digests = bundle.table(bundle::digests_name))
     fmt::print("{} digests by table, study and method, each that of its rows\n", digests->row_count());
 }

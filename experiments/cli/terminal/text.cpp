@@ -45,10 +45,10 @@ std::vector<std::string> lines_of(std::string_view text, std::size_t width) {
 
 namespace {
 
-constexpr std::size_t gap = 2;           // between columns
-constexpr std::size_t least_text = 16;   // characters of a column of broken lines
-constexpr std::size_t least_id = 24;     // of the first column
-constexpr std::size_t indent_below = 4;  // of fields below their row
+constexpr std::size_t gap = 2;            // between columns
+constexpr std::size_t least_text = 16;    // characters of a column of broken lines
+constexpr std::size_t short_enough = 24;  // for a column not to be broken, and for ids
+constexpr std::size_t indent_below = 4;   // of fields below their row
 
 using Fields = std::vector<std::string>;
 
@@ -67,8 +67,7 @@ std::vector<std::size_t> widths_of(const std::vector<Fields>& lines, std::size_t
       for (const auto& word : lines_of(line[k], 0)) least[k] = std::max(least[k], length_of(word));
     }
   for (std::size_t k = 0; k < least.size(); ++k)
-    least[k] =
-        std::min(natural[k], k == 0 ? least_id : std::clamp(least[k], std::min(least_text, natural[k]), natural[k]));
+    least[k] = natural[k] <= short_enough ? natural[k] : k == 0 ? short_enough : std::max(least[k], least_text);
   std::size_t columns = natural.size();
   while (columns > 1 && sum_with_gaps(least, columns) > width) --columns;
   auto widths = natural;
