@@ -15,10 +15,10 @@ DOORS = (("choose a method for your degree, range and tolerance", ("choose", "me
          ("test your own change, or your machine", ("change", "compare")))
 # Headings of the start page: pages that are not there are left out, and those that no heading names come last.
 HEADINGS = (("begin", ("introduction", "walks", "glossary")),
-         ("try it in a browser, or publish it", ("web", "site")),
-         *DOORS,
-         ("answer questions about curves in a file", ("curves", "curve_sets")),
-         ("work with the program", ("terminal", "commands", "suites", "ci")))
+            ("try it in a browser, or publish it", ("web", "site")),
+            *DOORS,
+            ("answer questions about curves in a file", ("curves", "curve_sets")),
+            ("work with the program", ("terminal", "commands", "suites", "ci")))
 KINDS_OF_QUESTIONS = {"Which": "Which one?", "How fast": "How fast?", "How wrong": "How wrong?", "": "Other questions"}
 
 
