@@ -32,8 +32,8 @@ PART = re.compile(r"(<!-- begin ([a-z_]+) -->\n).*?(<!-- end \2 -->)", re.DOTALL
 PARTS = {"answers": lambda _page: answers(Bundle(bundles.ANSWERS), bundles.real()), "figure": lambda page: figure.picture(Bundle(bundles.ANSWERS), page),
          "printed": bundles.printed, "printed_orders": bundles.printed_orders, "scorecard": bundles.scorecard,
          "digest": bundles.digest, "gates": bundles.gates, "doors": index.doors, "index": index.index, "statements": program.statements}
-PARTS_OF_PROGRAM = {"comparison": bundles.comparison, "methods": methods.methods, "suites": program.suites,
-                    "generators": program.generators, "questions": index.questions}
+PARTS_OF_PROGRAM = {"comparison": bundles.comparison, "methods": methods.methods, "generators": program.generators,
+                    "questions": index.questions}
 
 
 def pages():

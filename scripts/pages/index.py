@@ -55,12 +55,13 @@ def index(page):
 
 
 def questions(page, program):
-    """The shipped suites by the first words of the question that each answers."""
+    """The shipped suites by the first words of the question that each answers; those of other libraries, which are not everywhere,
+    have no seconds."""
     body = {kind: [] for kind in KINDS_OF_QUESTIONS}
     for row in rows_of(program, "suites"):
         kind = next(kind for kind in body if row["question"].startswith(kind))
         found = atlas.PAGES / atlas.ELSEWHERE.get(row["id"], f"{row['id']}/README.md")
         answer = f"[found]({os.path.relpath(found.resolve(), page.parent)})" if found.exists() else ""
-        body[kind].append([row["question"], f"`{row['id']}`", row["seconds"], answer])
-    return "\n\n".join(f"### {KINDS_OF_QUESTIONS[kind]}\n\n" + table(["question", "suite", "processor seconds", "answer"], lines)
+        body[kind].append([f"[`{row['id']}`](../experiments/suites/{row['file']})", row["question"], row["seconds"], answer])
+    return "\n\n".join(f"### {KINDS_OF_QUESTIONS[kind]}\n\n" + table(["suite", "question", "processor seconds", "answer"], lines)
                        for kind, lines in body.items())

@@ -30,13 +30,6 @@ def method_list_of(program):
     return "".join(line for line in text.splitlines(keepends=True) if not line.startswith("peer_"))
 
 
-def suites(_page, program):
-    """The shipped suites; those of other libraries have no seconds, since these are not everywhere."""
-    body = [[f"[`{row['id']}`](../experiments/suites/{row['file']})", row["title"], row["question"], row["studies"], row["seconds"]]
-            for row in rows_of(program, "suites")]
-    return table(["id", "what it is about", "what it answers", "studies", "processor seconds"], body)
-
-
 def generators(_page, program):
     body = [[f"`{row['id']}`", row["coordinates"], row["t"], row["weights"]] for row in rows_of(program, "generators")]
     return table(["id", "coordinates", "t", "weights"], body)
