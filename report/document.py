@@ -55,7 +55,8 @@ class Table(Block):
     head: tuple  # labels of the value columns
     groups: tuple
     axis: str = ""  # what the value columns stand for
-    caption_zh: str = ""
+    every: str = ""  # what holds for every row
+    caption_zh: str = ""  # of the tables of the source report
     group_head: str = "method"
     row_head: str = ""
     csv_head: tuple = ()  # filled where the CSV holds more than the page shows
@@ -129,9 +130,9 @@ class Figure(Block):
 
     id: str
     caption: str
-    caption_zh: str
     alt: str
     draw: Callable  # () -> Drawing
+    caption_zh: str = ""  # of the source report alone, as that of a table
     more: Callable | None = None  # () -> the Figure of all methods, where this one shows some of them
 
     @cached_property

@@ -36,8 +36,8 @@ def swept_with(case, rows):
 
 
 def error_tables(study, rows, across="degree", down="generator", curves=None):
-    """Two tables for each cell of the remaining axes, then the bound violations. `curves`: what the curves are, in English and Chinese, where
-    that is not their form."""
+    """Two tables for each cell of the remaining axes, then the bound violations. `curves`: what the curves are, where that is not
+    their form."""
     cells = grouped(rows, *(c for c in CELL if c not in (across, down)))
     for number, members in enumerate(cells.values(), 1):
         yield from _pair(study if len(cells) == 1 else f"{study}-{number}", members, across, down, curves)
@@ -83,19 +83,17 @@ def named(down, kind):
 
 
 def _pair(study, rows, across, down, curves):
-    english, chinese = curves or form(rows[0]["form"])
+    english = curves or form(rows[0]["form"])[0]
     where, trials, kinds = _where(rows[0], across, down), large(max(r["trials"] for r in rows)), distinct(rows, down)
     drawn = down in DRAWN
 
     means = [(inputs.kind(k) if down == "generator" else named(down, k), _number("mean_error_u"), {down: k}) for k in kinds]
-    yield by_axis(rows, across, f"{study}-mean", f"Mean error over u p~, {english} ({where}, {trials} trials per cell)",
-                  f"平均误差（以 u p~ 计），{chinese}", means, row_head="inputs" if down == "generator" else down)
+    yield by_axis(rows, across, f"{study}-mean", f"Mean error over u p~, {english} ({where}, {trials} trials per cell)", means, row_head="inputs" if down == "generator" else down)
     lines = [(f"largest, {named(down, k)}", _number("max_error_u"), {down: k}) for k in kinds]
     lines += [("proved bound" if drawn else f"proved bound, {named(down, k)}", _number("bound_u"), {down: k})
               for k in (kinds[:1] if drawn else kinds)]
     lines += [("violations", _counted("bound_violations"), {}), ("not finite", _counted("non_finite"), {})]
-    yield by_axis(rows, across, f"{study}-largest", f"Largest error over u p~ and its proved bound, {english} ({where})",
-                  f"最大误差与已证误差界（以 u p~ 计），{chinese}", lines, row_head="quantity")
+    yield by_axis(rows, across, f"{study}-largest", f"Largest error over u p~ and its proved bound, {english} ({where})", lines, row_head="quantity")
 
 
 def _bounds(rows):
@@ -107,13 +105,13 @@ def _bounds(rows):
                    if any(map(in_part, judged)) else ""))
 
 
-def tolerance_tables(study, rows, caption, caption_zh, lines):
+def tolerance_tables(study, rows, caption, lines):
     """Tables of methods that are given a tolerance, for each kind of curves, tolerances side by side. `lines` are (label, column, function of
     a value to its text)."""
     for number, members in enumerate(grouped(rows, "degree", "coordinate_range", *inputs.ONE_SET).values(), 1):
         row = members[0]
         where = f"degree {shortest(row['degree'])}, {count(int(row['dimension'] or 0), 'axis', 'axes')}, {inputs.words(row, 'interval')}, {large(row['trials'])} trials"
-        yield by_axis(members, "tolerance", f"{study}-{number}", f"{caption} ({where})", caption_zh,
+        yield by_axis(members, "tolerance", f"{study}-{number}", f"{caption} ({where})",
                       [(label, one(column, write, "outside" if column == "broken_promises" else ""), {}) for label, column, write in lines],
                       row_head="quantity")
 
@@ -129,10 +127,9 @@ def search_table(study, rows):
     varying = [c for c in NAMES if len(distinct(rows, c)) > 1] or ["degree"]
     groups = tuple(Group(f"`{m}`", m, tuple((", ".join(named(c, r[c]) for c in varying), _searched(r, r in broken)) for r in own))
                    for m, own in grouped(rows, "method").items())
-    english, chinese = form(rows[0]["form"])
+    english = form(rows[0]["form"])[0]
     return Table(id=f"{study}-search", caption=f"Sampled and searched maximum over u p~ and proved bound, {english} "
-                 f"({large(max(r['trials'] for r in rows))} trials, then {large(max(r['budget'] for r in rows))} steps)",
-                 caption_zh=f"抽样与搜索所得最大误差及已证误差界（以 u p~ 计），{chinese}", groups=groups, row_head="cell",
+                 f"({large(max(r['trials'] for r in rows))} trials, then {large(max(r['budget'] for r in rows))} steps)", groups=groups, row_head="cell",
                  head=("sampled", "searched", "proved bound", "gain", "status", "id"))
 
 

@@ -107,6 +107,7 @@ class OwnSuite(unittest.TestCase):
         self.assertIn(f"<h1>{TITLE}</h1>", self.html)
         self.assertIn(f"<title>{TITLE} ", self.html)
         self.assertEqual(self.left_out, [])
+        self.assertNotIn('lang="zh', self.html)  # captions in Chinese are those of the source report's tables
         for word in ("The report", "the report's", "source report", "原报告", "regimes", "Scorecard", "Left out"):
             self.assertNotIn(word, self.html, word)
 

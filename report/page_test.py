@@ -23,7 +23,7 @@ from .inline import visible
 from .wording import as_printed, general, scientific, shortest
 
 OF_SETS = "real-curves"  # the chapter of a bundle with curve sets
-VOID = {"meta", "link", "br"}
+VOID = {"meta", "link", "br", "wbr"}
 
 
 class Page(HTMLParser):

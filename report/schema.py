@@ -65,7 +65,7 @@ def faults(kind):
 
 
 def timed():
-    """{problem: what is declared of its times}: what one is of (`unit`, in Chinese `unit_zh`), the axis that runs `across` their
+    """{problem: what is declared of its times}: what one is of (`unit`), the axis that runs `across` their
     tables, and when an answer is `right`."""
     blocks = {file.removesuffix(".csv"): declared["timed"] for file, declared in _whole()["properties"].items() if "timed" in declared}
     return {"evaluation": blocks.pop("accuracy"), **blocks}

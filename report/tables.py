@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Tables of rows: methods down and one axis across, or the rows one by one."""
 
+from dataclasses import replace
+
 from .document import Cell, Group, Table
 from .rows import fits, grouped
 from .wording import general, interval, shortest
@@ -30,7 +32,7 @@ def over(column, combine, write=general, mark=""):
     return cell
 
 
-def by_axis(rows, axis, table_id, caption, caption_zh, lines, method="method", values=None, **more):
+def by_axis(rows, axis, table_id, caption, lines, method="method", values=None, **more):
     """Methods down, the values of an axis across. `lines` are (label, function of the rows of a cell to a Cell, {column: value} that these
     rows have)."""
     values = values or sorted({row[axis] for row in rows})
@@ -44,13 +46,26 @@ def by_axis(rows, axis, table_id, caption, caption_zh, lines, method="method", v
                 drawn.append((label, cells))
         if drawn:
             groups.append(Group(f"`{name}`", name, tuple(drawn)))
-    return Table(id=table_id, caption=caption, caption_zh=caption_zh, groups=tuple(groups), axis=AXIS.get(axis, axis),
+    labels = {label for group in groups for label, _ in group.rows}
+    every = labels.pop() if len(labels) == 1 and all(len(group.rows) == 1 for group in groups) else ""
+    if every:
+        groups = [Group(group.label, group.key, (("", cells),)) for group in groups for _, cells in group.rows]
+    return Table(id=table_id, caption=caption, groups=tuple(groups), axis=AXIS.get(axis, axis), every=every,
                  head=tuple(axis_label(value, axis) for value in values), group_head=method, **more)
 
 
-def listed(table_id, caption, caption_zh, head, rows):
-    """One line for each row, of texts or Cells; the first is its label."""
+def listed(table_id, caption, head, rows, caption_zh="", whole=True):
+    """One line for each row, of texts or Cells; the first is its label. Where it is not `whole`, what is the same in all of several rows stands
+    above them."""
     def bare(text):
         return text.strip("`") if text.count("`") == 2 else text
     groups = [Group(label, bare(label), (("", [c if isinstance(c, Cell) else Cell(c, bare(c)) for c in cells]),)) for label, *cells in rows]
-    return Table(id=table_id, caption=caption, caption_zh=caption_zh, groups=tuple(groups), group_head=head[0], head=tuple(head[1:]))
+    columns = list(zip(*(group.rows[0][1] for group in groups)))
+    same = [not whole and len(column) > 1 and len({cell.text for cell in column}) == 1 for column in columns]
+    table = Table(id=table_id, caption=caption, caption_zh=caption_zh, groups=tuple(groups), group_head=head[0], head=tuple(head[1:]))
+    if not any(same):
+        return table
+    csv_head, csv_rows = table.csv()
+    return replace(table, csv_head=tuple(csv_head), csv_rows=tuple(csv_rows), head=tuple(h for h, one in zip(table.head, same) if not one),
+                   every=", ".join(f"{h} {column[0].text}" for h, column, one in zip(table.head, columns, same) if one and column[0].text),
+                   groups=tuple(Group(g.label, g.key, (("", [c for c, one in zip(g.rows[0][1], same) if not one]),)) for g in groups))

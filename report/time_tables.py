@@ -38,30 +38,30 @@ def time_tables(bundle, problem):
     """One table per study, scalar type and dimension: the ratios of times to those of one method with their intervals, the times themselves, and
     where the bundle has limits how near the times are to them; then the counted instructions and predicted cycles. The axis of the problem runs across, everything
     else that varies is named at the lines."""
-    unit, chinese, axis = (schema.timed()[problem][key] for key in ("unit", "unit_zh", "across"))
+    unit, axis = (schema.timed()[problem][key] for key in ("unit", "across"))
     for study, of_study in grouped(times(bundle, problem), "study").items():
         kinds = grouped(of_study, "scalar", "dimension").values()
         for number, rows in enumerate(kinds, 1):
             medians = [r["median_ns"] for r in rows]
             long = max(medians) >= MICROSECONDS and min(medians) >= SHORTEST
-            scale, english, unit_zh = (1e-3, "micro", "微秒") if long else (1, "nano", "纳秒")
+            scale, english = (1e-3, "micro") if long else (1, "nano")
             table_id = f"timing-{study}" + (f"-{number}" if len(kinds) > 1 else "")
             named = ", ".join(f"`{m}`" for m in distinct(rows, "relative_to") if m)
             yield by_axis(rows, axis, table_id,
                           (f"Time over that of {named}, and about how many {english}seconds" if named else f"{english.capitalize()}seconds")
-                          + f" per {unit}: {bundle.title(study)} ({where(rows[0])})", f"每{chinese}用时（{unit_zh}）",
+                          + f" per {unit}: {bundle.title(study)} ({where(rows[0])})",
                           _lines(rows, axis, lambda row, scale=scale: _cell(row, scale)), row_head="time")
             yield from nearness(rows)
             counted = bundle["cost.csv"].select(study=study, scalar=rows[0]["scalar"], dimension=rows[0]["dimension"]) if "cost.csv" in bundle else []
             if counted:
                 yield by_axis(counted, axis, table_id.replace("timing", "cost"),
-                              f"Instructions per {unit}: {bundle.title(study)} ({where(rows[0])})", f"每{chinese}指令数",
+                              f"Instructions per {unit}: {bundle.title(study)} ({where(rows[0])})",
                               _lines(counted, axis, lambda row: Cell(general(row["instructions"], 4), row.text("instructions"))), row_head="instructions")
             for name in processors():
                 predicted = [row for row in counted if row[column(name, row["mode"])] is not None]
                 if predicted:
                     yield by_axis(predicted, axis, table_id.replace("timing", f"cycles-{name}"),
-                                  f"Predicted cycles per {unit} on {name}: {bundle.title(study)} ({where(rows[0])})", f"{name} 每{chinese}预测周期数",
+                                  f"Predicted cycles per {unit} on {name}: {bundle.title(study)} ({where(rows[0])})",
                                   _lines(predicted, axis, lambda row, name=name: Cell(general(row[at := column(name, row["mode"])]), row.text(at))),
                                   row_head="cycles")
 

@@ -65,7 +65,7 @@ def _table(cell, members):
     head = ("method", *(["ns per point"] if timed else []), "largest observed error, u p~", "proved bound, u p~",
             *(["time against error"] if timed else []))
     order = "those with a small proved bound first, those that lose digits last, then by time" if timed else "smallest error first"
-    return listed("answer-table", f"Methods for {where(cell)}, {order}", "可选方法", head,
+    return listed("answer-table", f"Methods for {where(cell)}, {order}", head,
                   [row(one) for one in members if useful(one.error_u, cell.scalar)])
 
 

@@ -54,7 +54,7 @@ companion(
 
 @tables_of("arc_length")
 def _arc_lengths(bundle, study):
-    return tolerance_tables(study, bundle.judged("arc_length.csv").some(study=study), "Arc lengths against tolerance", "弧长误差与容差", (
+    return tolerance_tables(study, bundle.judged("arc_length.csv").some(study=study), "Arc lengths against tolerance", (
         ("mean relative error", "mean_relative", scientific), ("largest relative error", "max_relative", scientific),
         ("evaluations, mean", "mean_evaluations", general), ("not converged", "non_converged", general),
         ("broken promises", "broken_promises", general)))
@@ -70,7 +70,7 @@ companion(
 
 @tables_of("inverse_arc_length")
 def _inverse_arc_lengths(bundle, study):
-    return tolerance_tables(study, bundle["inverse_arc_length.csv"].some(study=study), "Parameters at a length against tolerance", "反弧长误差与容差", (
+    return tolerance_tables(study, bundle["inverse_arc_length.csv"].some(study=study), "Parameters at a length against tolerance", (
         ("mean relative error of the length", "mean_relative", scientific),
         ("largest relative error of the length", "max_relative", scientific), ("largest error of t", "max_t_error", scientific),
         ("iterations, mean", "mean_iterations", general), ("iterations, most", "max_iterations", general),
@@ -103,8 +103,7 @@ def _foot_points(bundle, study):
         ("missed", "missed", sum, large), ("largest error, units", "max_error_eps", max, general),
         ("largest error of t", "max_t_error", max, scientific), ("gave up", "non_converged", sum, large))]
     for where, own in inputs.by_set(rows):
-        yield by_axis(own, "placement", study, f"Foot points, {_degrees(own)}{where} ({_trials(own)} trials per method, by placement of the point)",
-                      "最近点", lines, values=distinct(own, "placement"), row_head="quantity")
+        yield by_axis(own, "placement", study, f"Foot points, {_degrees(own)}{where} ({_trials(own)} trials per method, by placement of the point)", lines, values=distinct(own, "placement"), row_head="quantity")
 
 
 companion(
@@ -125,7 +124,7 @@ def _splines(bundle, study):
         ("C1, largest", "max_c1_u"), ("C2, largest", "max_c2_u"), ("natural ends, largest", "max_natural_u"),
         ("control points, largest error", "max_error_u"))]
     yield by_axis(rows, "points", study, f"Residuals of splines by number of points, {', '.join(distinct(rows, 'generator'))} "
-                  f"({_trials(rows)} sets of points per method)", "样条的残差", lines, row_head="quantity")
+                  f"({_trials(rows)} sets of points per method)", lines, row_head="quantity")
 
 
 companion(
@@ -145,7 +144,7 @@ def _fits(bundle, study):
     lines += [("largest error / tolerance", over("max_error_over_tolerance", max), {}), ("steps, most", over("max_iterations", max, large), {}),
               ("broken promises", over("broken_promises", sum, large), {})]
     yield by_axis(rows, "data", study, f"Fits to {', '.join(map(shortest, distinct(rows, 'points')))} points of curves of {_degrees(rows)} "
-                  f"({_trials(rows)} fits per method)", "分段拟合", lines, values=distinct(rows, "data"), row_head="quantity")
+                  f"({_trials(rows)} fits per method)", lines, values=distinct(rows, "data"), row_head="quantity")
 
 
 companion(
@@ -171,7 +170,7 @@ def _halves(bundle, study):
     yield from error_tables(study, rows, *swept(rows))
     for where, own in inputs.by_set(rows):
         yield by_axis(own, "degree", f"{study}-kept", f"Trials in which halves do not fit together{where} "
-                      f"({large(sum(r['trials'] for r in own))} trials of all methods)", "两段不相接的次数",
+                      f"({large(sum(r['trials'] for r in own))} trials of all methods)",
                       [(text, _count(column), {}) for text, column in (
                           ("junctions apart", "junctions_apart"), ("ends moved", "ends_moved"), ("points off", "points_off"),
                           ("bound violations", "bound_violations"), ("not finite", "non_finite"))], row_head="trials")
@@ -206,7 +205,7 @@ def _boxes(bundle, study):
         ("too small", "too_small", sum, large), ("farthest inside, sizes", "max_inside_size", max, scientific),
         ("mean excess, sizes", "mean_excess_size", max, scientific), ("largest excess, ulp", "max_excess_ulp", max, general))]
     for where, own in inputs.by_set(rows):
-        yield by_axis(own, "degree", study, f"Boxes{where} ({_trials(own)} curves per method)", "包围盒", lines, row_head="quantity")
+        yield by_axis(own, "degree", study, f"Boxes{where} ({_trials(own)} curves per method)", lines, row_head="quantity")
 
 
 def _promised_boxes(bundle):
@@ -238,7 +237,7 @@ def _roots(bundle, study):
         ("largest error of simple roots, u max(1, condition)", "max_error_condition", max, general),
         ("triangles, most of a mean", "mean_evaluations", max, general))]
     for where, own in inputs.by_set(rows):
-        yield by_axis(own, "degree", study, f"Roots{where} ({_trials(own)} curves per method)", "求根", lines, row_head="quantity")
+        yield by_axis(own, "degree", study, f"Roots{where} ({_trials(own)} curves per method)", lines, row_head="quantity")
 
 
 companion(
@@ -254,14 +253,13 @@ def _knot_spans(bundle, study):
     """Errors of points, then those of the control points of the Bernstein form, where a method makes it."""
     rows = bundle["bspline.csv"].some(study=study)
     across = swept(rows)[0]
-    yield from error_tables(study, rows, across, "knots", ("B-spline curves", "B 样条曲线"))
+    yield from error_tables(study, rows, across, "knots", "B-spline curves")
     made = [r for r in rows if r["max_control_error_u"] is not None]
     if made:
         lines = [(f"{text}, {knots} knots", one(column), {"knots": knots})
                  for text, column in (("mean", "mean_control_error_u"), ("largest", "max_control_error_u")) for knots in distinct(made, "knots")]
         lines.append(("proved bound", one("control_bound_u"), {}))  # it does not depend on the kind of knots
-        yield by_axis(made, across, f"{study}-control", "Error of the control points of the span's Bernstein form over u p~",
-                      "节点区间 Bernstein 控制点的误差（以 u p~ 计）", lines, row_head="quantity")
+        yield by_axis(made, across, f"{study}-control", "Error of the control points of the span's Bernstein form over u p~", lines, row_head="quantity")
 
 
 def _evaluators_on_spans(bundle):
@@ -296,8 +294,7 @@ def _chords(bundle, study):
         ("largest distance over the tolerance", "max_error_over_tolerance", max, general), ("tolerance broken", "broken", sum, large),
         ("reversed curve with other points", "reversed_apart", sum, large), ("broken promises", "broken_promises", sum, large))]
     for where, own in inputs.by_set(rows):
-        yield by_axis(own, "tolerance", study, f"Chords of curves of {_degrees(own)}{where} ({_trials(own)} trials per method, by tolerance)",
-                      "折线化", lines, values=sorted(distinct(own, "tolerance"), reverse=True), row_head="quantity")
+        yield by_axis(own, "tolerance", study, f"Chords of curves of {_degrees(own)}{where} ({_trials(own)} trials per method, by tolerance)", lines, values=sorted(distinct(own, "tolerance"), reverse=True), row_head="quantity")
 
 
 companion(
@@ -320,7 +317,7 @@ def _eased(bundle, study):
                  ("most steps", "max_steps", max, large), ("does not end", "not_converged", sum, large))]
     for where, own in inputs.by_set(rows):
         yield by_axis(own, "generator", study, f"Easing curves{where} ({_trials(own)} trials per method, of which {_monotone(own)} of curves that "
-                      "do not fall)", "缓动曲线", lines, row_head="quantity")
+                      "do not fall)", lines, row_head="quantity")
     yield Text("An easing curve is the cubic (0, 0) (x1, y1) (x2, y2) (1, 1) with x1 and x2 in [0, 1], `cubic-bezier()` of CSS; a method solves "
                "x(t) = x and takes y(t). Truth: the root enclosed with integers, y narrowed until its rounding is decided. Every trial is solved in "
                "double and, with curve and x rounded, in float. A trial of a curve that does not fall goes back where y falls between two of 32 "
@@ -338,4 +335,4 @@ def _easing_floats(bundle, study):
         ("largest error, ulp", "max_error_ulp", max, general), ("misrounded", "misrounded", sum, large),
         ("goes back", "non_monotone", sum, large), ("most steps", "max_steps", max, large), ("does not end", "not_converged", sum, large))]
     points = {row["points"] for row in rows}
-    yield by_axis(rows, "curve_id", study, f"Easing curves at {large(max(points))} floats x each", "每个浮点x处的缓动曲线", lines, row_head="quantity")
+    yield by_axis(rows, "curve_id", study, f"Easing curves at {large(max(points))} floats x each", lines, row_head="quantity")

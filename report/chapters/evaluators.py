@@ -74,9 +74,9 @@ def _by_condition(study, degree, rows):
         at = {r["interval"]: r for r in own}
         return tuple((label, [Cell(scientific(at[c["interval"]][f"{statistic}_{kind}"]), at[c["interval"]].text(f"{statistic}_{kind}"))
                               if c["interval"] in at else Cell() for c in columns]) for label, statistic in (("median", "p50"), ("largest", "max")))
-    english, chinese = form(rows[0]["form"])
+    english = form(rows[0]["form"])[0]
     return Table(id=f"{study}-{shortest(degree)}", caption=f"Condition number and relative error, degree {shortest(degree)}, {english} "
-                 f"({rows[0]['generator']} inputs)", caption_zh=f"条件数与相对误差，{shortest(degree)} 阶，{chinese}",
+                 f"({rows[0]['generator']} inputs)",
                  groups=(Group("condition number", "condition", lines(columns, "condition")),
                          *(Group(f"`{method}`", method, lines(own, "relative")) for method, own in grouped(rows, "method").items())),
                  axis="median condition number; the intervals of t are in the CSV file", row_head="over the trials",
@@ -116,7 +116,7 @@ def _coefficient_table(bundle, study):
     for where, own in inputs.by_set(rows):
         lines = [(f"{name}, {inputs.PLACED.get(g, g)}", one(column, scientific), {"generator": g}) for g in distinct(own, "generator")
                  for name, column in (("mean", "mean_error"), ("largest", "max_error"))]
-        yield by_axis(own, "degree", study, f"{title}: error of the coefficients{where}", "转换后系数的误差", lines, method="conversion", row_head="inputs")
+        yield by_axis(own, "degree", study, f"{title}: error of the coefficients{where}", lines, method="conversion", row_head="inputs")
 
 
 def _parts(bundle):
@@ -124,10 +124,9 @@ def _parts(bundle):
     yield Heading("Where the error of a path comes from")
     yield from figure("conversion_sources", bundle)
     for (study, degree), own in grouped(rows, "study", "degree").items():
-        english, chinese = form(own[0]["form"])
+        english = form(own[0]["form"])[0]
         yield by_axis(own, "interval", f"{study}-parts-{shortest(degree)}",
                       f"Mean error and its parts, degree {shortest(degree)}, {english} (coordinate units)",
-                      f"平均误差及其来源，{shortest(degree)} 阶，{chinese}",
                       [(name, one(column, scientific), {}) for column, name in (("mean_error", "error"), *SOURCES)], row_head="part")
     yield Text("Conversion: the exactly evaluated converted curve against the given one. Rounding of 1-t: the effect of t and the rounded 1-t on the "
                "curve. Evaluation: the rest. Each is a mean of distances, so the parts need not add up, and the error is over more trials than its "

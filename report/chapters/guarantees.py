@@ -11,9 +11,9 @@ from ..wording import count, general, large, percent
 from .parts import chapter, figure, tables_of
 
 
-def _by_method(table_id, caption, caption_zh, head, groups):
+def _by_method(table_id, caption, head, groups):
     """Methods down, each with a line (label, texts) for each property."""
-    return Table(id=table_id, caption=caption, caption_zh=caption_zh, head=head, row_head="property", groups=tuple(
+    return Table(id=table_id, caption=caption, head=head, row_head="property", groups=tuple(
         Group(f"`{method}`", method, tuple((label, [c if isinstance(c, Cell) else Cell(c, c) for c in cells]) for label, cells in lines))
         for method, lines in groups))
 
@@ -26,7 +26,7 @@ def _matrix(study, rows):
         own = cells.get((method, name))
         return Cell(with_share(own), of_all(own), MARKS[of_all(own)]) if own else Cell()
     return listed(f"{study}-matrix", "What each method keeps, over all degrees and scalar types; in brackets the largest share of random inputs "
-                  "that break it", "各方法所保持的性质", ("method", *(p.replace("_", " ") for p in properties)),
+                  "that break it", ("method", *(p.replace("_", " ") for p in properties)),
                   [(f"`{m}`", *(cell(m, p) for p in properties)) for m in distinct(rows, "method")])
 
 
@@ -36,7 +36,7 @@ def _open(study, rows):
         tried, nearest = min(r["trials"] + r["searched"] for r in cells), [r["largest"] for r in cells if isinstance(r["largest"], float)]
         return f"{name.replace('_', ' ')}, {scalar}", [", ".join(f"{r['degree']:g}" for r in cells), Cell(large(tried), f"{tried:g}"),
                                                        Cell(general(max(nearest)), repr(max(nearest))) if nearest else Cell()]
-    return _by_method(f"{study}-open", "Neither proved nor broken: degrees, inputs tried at each degree, and the best attempt", "既未证明亦未推翻者",
+    return _by_method(f"{study}-open", "Neither proved nor broken: degrees, inputs tried at each degree, and the best attempt",
                       ("degrees", "inputs", "best attempt, ulp"),
                       [(method, [line(*key, cells) for key, cells in grouped(own, "property", "scalar").items()])
                        for method, own in grouped(rows, "method").items()])
@@ -51,7 +51,7 @@ def _counterexamples(study, rows):
                                         row.text("t") + (f" and {row.text('t_next')}" if row.text("t_next") else ""),
                                         row.text("coefficients") + (f"; moved by {row.text('offset')}" if row.text("offset") else "")]
     return _by_method(f"{study}-counterexamples", "The smallest counterexample that a search found, at the lowest degree with one: share of random "
-                      "inputs that break it, largest excess in ulp, t, control points axis by axis", "搜索所得最小反例",
+                      "inputs that break it, largest excess in ulp, t, control points axis by axis",
                       ("degree", "share", "largest", "t", "control points"),
                       [(method, [line(*item) for item in grouped(own, "property").items()]) for method, own in grouped(rows, "method").items()])
 
@@ -102,7 +102,6 @@ def _at_every_float(bundle, study):
         whose = f", curves of the set {rows[0]['curves']}" if rows[0]["curves"] else ""
         yield Table(id=f"{study}-{number}", caption=f"The largest error at the {large(rows[0]['points'])} floats t of {shown}{whose}, and the numbers of "
                     "misrounded points, of steps that are not monotone and of points outside the hull",
-                    caption_zh=f"区间 {shown} 内全部单精度参数处的最大误差（ulp）及舍入错误、非单调、越界的次数",
                     groups=tuple(Group(f"`{curve}`, degree {own[0]['degree']:g}", curve, tuple((f"`{r['method']}`", cells(r)) for r in own))
                                  for curve, own in grouped(rows, "curve_id").items()),
                     head=("largest error, ulp", "at t", *(column.replace("_", " ") for column in COUNTS)), group_head="curve", row_head="method")
@@ -126,6 +125,5 @@ def _hard_cases(bundle, study):
         by = grouped(own, "search")
         groups.append(Group(f"`{family}`, {scalar}", f"{family} {scalar}", tuple((words, cells(by[s])) for s, words in SEARCHES.items() if s in by)))
     yield Table(id=f"{study}-families", caption=f"Inputs kept by family ({large(max(r['drawn'] for r in rows))} drawn for each family): cases, and the "
-                "smallest distance of an exact value from a rounding boundary in ulp",
-                caption_zh="各类难例的数目及真值与舍入边界的最小距离（以 ulp 计）", groups=tuple(groups), head=("cases", "smallest distance"),
+                "smallest distance of an exact value from a rounding boundary in ulp", groups=tuple(groups), head=("cases", "smallest distance"),
                 group_head="family", row_head="search")

@@ -43,13 +43,13 @@ def scorecard(bundle, _findings):
     rows = []
     for number, verdicts in counts(bundle).items():
         rows.append((f"Table {number}", *(Cell(str(verdicts[v]), str(verdicts[v]), v if verdicts[v] else "") for v in MARK), str(sum(verdicts.values()))))
-    yield listed("scorecard-counts", "Printed cells, and ratios of printed times, by table and verdict", "各表的判定", ("table", *MARK.values(), "cells"), rows)
+    yield listed("scorecard-counts", "Printed cells, and ratios of printed times, by table and verdict", ("table", *MARK.values(), "cells"), rows, "各表的判定")
     if "scorecard.csv" in bundle:
         yield Text("The last range of table 2.3.2 repeats the last degree of table 2.3.1, and two methods can agree to the printed digits, so a "
                    "value can occur several times below.")
-        yield listed("not-inside", "Errors and counts that are not inside the band", "不在区间之内的单元格",
+        yield listed("not-inside", "Errors and counts that are not inside the band",
                      ("table", "cell", "published", "ours, median", "ours, 5–95 %", "verdict", "note"),
-                     map(_not_inside, bundle["scorecard.csv"].select(verdict=("edge", "outside", "explained"))))
+                     map(_not_inside, bundle["scorecard.csv"].select(verdict=("edge", "outside", "explained"))), "不在区间之内的单元格")
 
 
 def _place(row):
@@ -109,10 +109,10 @@ def _worked():
     """Section 2.2: control points and coefficients axis by axis, with those that are exact."""
     def text(numbers):
         return " ".join(map(str, numbers))
-    return listed("worked-conversions", "Section 2.2. Worked conversions, axis by axis", "五组转换算例", ("example", "axis", "control points", "printed coefficients",
+    return listed("worked-conversions", "Section 2.2. Worked conversions, axis by axis", ("example", "axis", "control points", "printed coefficients",
                   "exact coefficients", "printed “correct?”", "verdict"),
                   [(f"{row['example']}, degree {row['degree']}", row["axis"], row["control_points"], text(printed), text(exact), row["correct"],
-                    Cell("✓ exact", "exact", "inside") if printed == exact else Cell("✗ wrong", "wrong", "outside")) for row, _, printed, exact in worked()])
+                    Cell("✓ exact", "exact", "inside") if printed == exact else Cell("✗ wrong", "wrong", "outside")) for row, _, printed, exact in worked()], "五组转换算例")
 
 
 def _ratios(bundle):

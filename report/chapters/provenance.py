@@ -28,12 +28,12 @@ def comparison(bundle, _findings):
         yield Text(f"**a** is `{rows[0]['against']}`, **b** is `{other}`.")
         facts = [(f"`{r['fact']}`", r.text("a"), r.text("b")) for r in found.facts.select(bundle=other)]
         if facts:
-            yield listed(f"comparison-{number}-machines", "Differences between machines and builds", "机器与编译的差别", ("fact", "a", "b"), facts)
+            yield listed(f"comparison-{number}-machines", "Differences between machines and builds", ("fact", "a", "b"), facts)
         else:
             yield Text("Machines and builds do not differ in any recorded fact.")
         yield from _accuracy([r for r in rows if r["kind"] == "accuracy"], f"comparison-{number}-accuracy")
         yield from _times([r for r in rows if r["kind"] == "timing" and r["degree"] is not None], f"comparison-{number}-times")  # no sentinel
-    yield listed("comparison-standings", "Geometric mean of time over a's, over all common timings", "各结果包的用时排名（几何平均）",
+    yield listed("comparison-standings", "Geometric mean of time over a's, over all common timings",
                  ("bundle", "rank", "processor", "compiler", "machine", "accuracy rows that differ", "timings", "time", "in sentinels"),
                  [(f"`{r['bundle']}`", *(Cell(shortest(r[c]) if isinstance(r[c], float) else r[c] or "", r.text(c)) for c in (
                      "rank", "cpu", "compiler", "machine", "accuracy_rows_differing", "timings")),
@@ -50,7 +50,7 @@ def _accuracy(rows, table_id):
     else:
         yield Text(f"Accuracy **differs** in {len(differing)} of {len(rows)} common rows"
                    + (f"; the first {MOST_CELLS} are:" if len(differing) > MOST_CELLS else ":"))
-        yield listed(table_id, "Cells whose values differ", "数值不同的单元", ("study", "method", "degree n", "file", "column", "a", "b"),
+        yield listed(table_id, "Cells whose values differ", ("study", "method", "degree n", "file", "column", "a", "b"),
                      [(r["study"] or "", f"`{r['method']}`", r.text("degree"), f"`{r['file']}`", f"`{r['column']}`", r.text("a"), r.text("b"))
                       for r in differing[:MOST_CELLS]])
 
@@ -66,9 +66,9 @@ def _times(rows, table_id):
     for study, of_study in grouped(rows, "study").items():
         kinds = grouped(of_study, "scalar", "dimension").values()
         for number, kind in enumerate(kinds, 1):
-            english, chinese = form(kind[0]["form"])
+            english = form(kind[0]["form"])[0]
             yield by_axis(kind, "degree", f"{table_id}-{study}" + (f"-{number}" if len(kinds) > 1 else ""),
-                          f"Time of b over time of a, {english}, study {study} ({where(kind[0])})", f"用时之比，{chinese}",
+                          f"Time of b over time of a, {english}, study {study} ({where(kind[0])})",
                           [(label, _ratio(column), {"mode": mode}) for mode in distinct(kind, "mode")
                            for label, column in ((mode, "ratio"), (f"{mode}, in sentinels", "normalised"))],
                           row_head="mode")
@@ -104,10 +104,10 @@ def audit(bundle, _findings):
                   if worst["max_axis_error_ulp"] > 0.5 else "."))
     columns = {"study": str, "tier": str, "degree": shortest, "coordinate_range": shortest, "t_min": shortest, "t_max": shortest, "generator": str,
                "trials": large, "mean_axis_error_ulp": general, "max_axis_error_ulp": general}
-    yield listed("audit-tiers", "Error of the tier against the exact value, in ulp of double", "扩展精度层相对精确值的误差（双精度 ulp）",
+    yield listed("audit-tiers", "Error of the tier against the exact value, in ulp of double",
                  ("study", "tier", "degree", "R", "t from", "t to", "inputs", "trials", "mean error, ulp", "largest error, ulp"),
                  [(r["study"], *(Cell(inputs.words(r) if r["curves"] and c == "generator" else write(r[c]), r.text(c))
-                                     for c, write in list(columns.items())[1:])) for r in rows])
+                                     for c, write in list(columns.items())[1:])) for r in rows], whole=False)
 
 
 # heading and what it shows of the texts of a row of methods.csv; docs/methods.md has a table of the same columns, made by scripts/readme.py
@@ -130,7 +130,7 @@ def method_list(bundle, _findings):
     paths = len(bundle["methods.csv"].rows) - len(rows)
     yield Text(f"The output of `bezierbench list methods`: {count(len(rows), 'entry', 'entries')}, one per method and form of curve that it takes. The "
                f"{count(paths, 'path')} `conversion:evaluator` are compositions of these.")
-    yield listed("methods", "Methods, with the form that they take, cost, proved bound and source", "方法一览", [name for name, _ in METHOD_COLUMNS],
+    yield listed("methods", "Methods, with the form that they take, cost, proved bound and source", [name for name, _ in METHOD_COLUMNS],
                  [[write(row.texts) for _, write in METHOD_COLUMNS] for row in rows])
 
 
@@ -152,7 +152,7 @@ def how_measured(bundle, _findings):
     known = {row["id"]: row for row in bundle["generators.csv"].rows} if "generators.csv" in bundle else {}
     if any(one in known for one in used):
         columns = ("coordinates", "t", "weights")
-        yield listed("generators", "How inputs were drawn, by generator; R is the coordinate range", "输入的生成方式", ("generator", *columns),
+        yield listed("generators", "How inputs were drawn, by generator; R is the coordinate range", ("generator", *columns),
                      [(f"`{one}`", *(known[one].text(c) for c in columns)) for one in used if one in known])
     unknown = [f"`{one}`" for one in used if one not in known]
     if unknown:
@@ -176,7 +176,7 @@ def _columns(bundle):
                          tuple((f"`{column}`", [Cell(meaning, meaning), Cell(unit, unit)]) for column, meaning, unit in declared))
                    for declared, files in alike.items())
     if groups:
-        yield Table(id="columns", caption="The columns of the bundle's tables", caption_zh="各列的含义", group_head="file",
+        yield Table(id="columns", caption="The columns of the bundle's tables", group_head="file",
                     row_head="column", head=("meaning", "unit"), groups=groups)
 
 
@@ -193,12 +193,12 @@ def _flatten(value, prefix=""):
 @chapter("Provenance", whole=True)
 def provenance(bundle, _findings):
     """bundle.json and machine.json as they are, then the files of the bundle."""
-    def shown(table_id, caption, caption_zh, value):
-        return listed(table_id, caption, caption_zh, ("key", "value"), [(f"`{key}`", text) for key, text in _flatten(value)])
-    yield shown("provenance-bundle", "The bundle", "结果包", bundle.info)
+    def shown(table_id, caption, value):
+        return listed(table_id, caption, ("key", "value"), [(f"`{key}`", text) for key, text in _flatten(value)])
+    yield shown("provenance-bundle", "The bundle", bundle.info)
     if bundle.machine is None:
         yield Text("The machine is not known: the bundle has no machine.json.")
     else:
-        yield shown("provenance-machine", "The machine and the build", "机器与编译", bundle.machine)
+        yield shown("provenance-machine", "The machine and the build", bundle.machine)
     yield Text("Read from " + ", ".join(f"`{name}` ({len(table.rows)} rows)" for name, table in bundle.tables.items()) + ". "
                + ("The suite is in `suite.toml`, the checksums are in `SHA256SUMS`." if bundle.suite is not None else "The bundle has no suite.toml."))

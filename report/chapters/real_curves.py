@@ -72,7 +72,7 @@ def _misrounded(rows):
              for scalar in distinct(rows, "scalar") for placement in distinct(rows, "generator")]
     trials = {r["curves"]: r["trials"] for r in rows}
     return by_axis(ordered, "curves", f"real-misrounded-{_id(rows)}", f"Share of misrounded coordinates, {_named(rows)} "
-                   f"({', '.join(f'{name}: {large(n)} trials' for name, n in trials.items())})", "未舍入到最近浮点数的坐标所占比例", lines,
+                   f"({', '.join(f'{name}: {large(n)} trials' for name, n in trials.items())})", lines,
                    values=distinct(rows, "curves"), row_head="type, curves")
 
 
@@ -87,7 +87,7 @@ def _errors(rows):
                 yield Cell(general(at[column]), at.text(column)) if at else Cell()
     groups = [Group(f"`{method}`", method, tuple((scalar, list(cells(own))) for scalar, own in grouped((r for r in rows if r["method"] == method), "scalar").items()))
               for method in _worst(rows, "misrounded")]
-    return Table(id=f"real-errors-{_id(rows)}", caption=f"Errors, each the largest over the sets, {_named(rows)}", caption_zh="误差（各曲线集中的最大者）",
+    return Table(id=f"real-errors-{_id(rows)}", caption=f"Errors, each the largest over the sets, {_named(rows)}",
                  head=tuple(f"{what}, {inputs.PLACED[placement]}" for what in ERRORS.values() for placement in placements), groups=tuple(groups), row_head="type")
 
 
@@ -100,7 +100,7 @@ def _reversed(rows, own):
             found.setdefault(one.passing["method"], {}).setdefault(measure, []).append(one)
     if found:
         yield Table(id=f"real-reversed-{_id(own)}", caption=f"Methods that pass others: worse on random curves and better on those of sets, each by a factor of "
-                    f"at least {CLEAR}, {_named(own)}, {scalar}", caption_zh="在真实曲线上反超的方法", group_head="method", row_head="measure",
+                    f"at least {CLEAR}, {_named(own)}, {scalar}", group_head="method", row_head="measure",
                     head=("on random curves", "on sets", "passes on every set", "on some sets"),
                     groups=tuple(Group(f"`{method}`", method, tuple((ORDERS[measure][0], _passes(some, measure)) for measure, some in by.items()))
                                  for method, by in found.items()))

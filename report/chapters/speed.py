@@ -55,10 +55,10 @@ def choosing(bundle, findings):
                "--tolerance E` answers the same question for a tolerance.")
     for number, own in enumerate(grouped(rows, "study", "accuracy_study", "form", "scalar", "dimension").values(), 1):
         worth = {(r["method"], r["mode"]) for r in own if r["pareto"] != "no" and useful(r["observed_max_u"], r["scalar"])}
-        (english, chinese), modes = form(own[0]["form"]), distinct(own, "mode")
+        english, modes = form(own[0]["form"])[0], distinct(own, "mode")
         yield by_axis([r for r in own if (r["method"], r["mode"]) in worth], "degree", f"choosing-{number}",
                       f"Not dominated, {english} ({where(own[0])}): times of `{own[0]['study']}`, errors of `{own[0]['accuracy_study']}`, modes "
-                      f"{listing(modes)}", f"值得选用的方法，{chinese}", [(mode, _chosen, {"mode": mode}) for mode in modes], row_head="mode")
+                      f"{listing(modes)}", [(mode, _chosen, {"mode": mode}) for mode in modes], row_head="mode")
 
 
 def _chosen(rows):
@@ -87,8 +87,7 @@ def peers(bundle, findings):
         yield from study_figure(bundle, study)
     lines = [(label, one(column), {"mode": None}) for label, column in (
         ("mean error / (u p~)", "mean_error_u"), ("largest error / (u p~)", "max_error_u"), ("largest error", "max_error"))]
-    yield by_axis([*errors, *timed], "degree", "peers-errors-and-times", "Errors and times of our own methods and of other libraries', Bézier curves",
-                  "自有方法与其他程序库：误差与用时", lines + [(label, _time, {"mode": mode}) for mode, label in MODES.items()], row_head="quantity")
+    yield by_axis([*errors, *timed], "degree", "peers-errors-and-times", "Errors and times of our own methods and of other libraries', Bézier curves", lines + [(label, _time, {"mode": mode}) for mode, label in MODES.items()], row_head="quantity")
     yield Text(f"{large(max(r['trials'] for r in errors))} trials per cell against the exact value, in double in the plane; every method on the same "
                "inputs, through the same harness, timed in the same races. " + _libraries(bundle)
                + "Header-only libraries are compiled like our own methods, the others are as the system ships them, so last bits may differ from version "

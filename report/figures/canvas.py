@@ -192,7 +192,7 @@ def _colour(artist):
     return colour[0] if getattr(colour, "ndim", 1) == 2 else colour
 
 
-def finish(canvas, figure_id, caption, caption_zh, alt, bottom=0.75, more=None):
+def finish(canvas, figure_id, caption, alt, bottom=0.75, more=None, caption_zh=""):
     """The figure of this canvas, whose lowest `bottom` inches are for legends; `more` makes that of all methods where it shows the leading ones."""
     return Figure(id=figure_id, caption=caption, caption_zh=caption_zh, alt=alt, draw=lambda: _draw(canvas, bottom), more=more)
 

@@ -19,7 +19,7 @@ def _figure(x, y, across=None):
         across(ax, x)
     else:
         ax.set_xscale("log")
-    return finish(canvas, "tried", "Tried", "", "Tried.")
+    return finish(canvas, "tried", "Tried", "Tried.")
 
 
 def _texts(figure):
@@ -41,6 +41,12 @@ class Labels(unittest.TestCase):
     def test_numbers_of_points_are_not_rounded(self):
         texts = _texts(_figure([17.0, 1023.0, 4097.0], [1, 2, 3], degree_axis))
         self.assertLessEqual({"17", "1023", "4097"}, set(texts))
+
+    def test_the_last_place_is_named(self):
+        self.assertLessEqual({"4", "8", "12", "16", "20"}, set(_texts(_figure([4.0, 8.0, 12.0, 16.0, 20.0], [1, 2, 3, 4, 5], degree_axis))))
+        texts = set(_texts(_figure([float(n) for n in range(1, 101)], list(range(1, 101)), degree_axis)))
+        self.assertLessEqual({"1", "2", "100"}, texts)
+        self.assertNotIn("99", texts)
 
     def test_order_zero_is_on_the_axis(self):
         figure = _figure([0.0, 1.0, 2.0], [1.0, 2.0, 3.0], degree_axis)

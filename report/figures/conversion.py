@@ -43,8 +43,7 @@ def conversion_coefficients(bundle):
         beside(ax)
     axes[-1][0].set_xlabel("degree n")
     return finish(canvas, "conversion-coefficients", "Error of converted coefficients against degree, continuous inputs: largest (solid) and mean "
-                              "(dotted)",
-                  "转换后系数的误差与阶数", "Doubly logarithmic, with the norm of the conversion dashed. " + "; ".join(words) + ".", bottom=0.1)
+                              "(dotted)", "Doubly logarithmic, with the norm of the conversion dashed. " + "; ".join(words) + ".", bottom=0.1)
 
 
 @figure
@@ -74,7 +73,7 @@ def conversion_interval(bundle, whole=False):
     axes[-1][0].set_xticks([(a + b) / 2 for a, b in places], [interval(a, b) for a, b in places])
     axes[-1][0].set_xlabel("interval of t")
     return finish(canvas, "conversion-interval", "Error of paths to power form against the interval of t; (1+2t)^n is scaled to the worst path's error in "
-                  "the first interval" + chosen(shown, methods), "经幂基求值的误差与参数区间", "; ".join(words) + ".", bottom=0.1,
+                  "the first interval" + chosen(shown, methods), "; ".join(words) + ".", bottom=0.1,
                   more=(lambda: conversion_interval(bundle, True)) if len(shown) < len(methods) else None)
 
 
@@ -114,5 +113,4 @@ def conversion_sources(bundle):
                for k, (_, name) in enumerate(SOURCES)]
     canvas.legend(handles=handles, loc="lower center", ncol=3, fontsize=9)
     return finish(canvas, "conversion-sources", "Parts of the error of a path: conversion, rounding of 1-t, evaluation; a part that is 0 has "
-                              "no mark",
-                  "路径误差的来源：转换、1-t 的舍入、求值", "; ".join(words) + ".", bottom=0.35)
+                              "no mark", "; ".join(words) + ".", bottom=0.35)

@@ -26,7 +26,7 @@ def _by_method(rows, x, y):
             if (points := [(r[x], r[y]) for r in own if positive(r, x) and positive(r, y)])}
 
 
-def _against_cost(bundle, figure_id, captions, parts, x, unit, height):
+def _against_cost(bundle, figure_id, caption, parts, x, unit, height):
     """Lines in double logarithmic panels. `parts` are lines of panels, each (title, what goes up, {method: points}); `unit` is that of x."""
     look = looks(bundle, sorted({method for line in parts for *_, methods in line for method in methods}))
     canvas, axes = panels(len(parts), len(parts[0]), height=height)
@@ -44,7 +44,7 @@ def _against_cost(bundle, figure_id, captions, parts, x, unit, height):
                 f"{m} ends at {general(points[-1][0])} {unit} with {general(points[-1][1])}" for m, points in methods.items())]
     for ax in axes[-1]:
         ax.set_xlabel(x)
-    return finish(canvas, figure_id, *captions, f"Doubly logarithmic. {'; '.join(words)}.", bottom=0.1)
+    return finish(canvas, figure_id, caption, f"Doubly logarithmic. {'; '.join(words)}.", bottom=0.1)
 
 
 def _kinds(table, study, column, kinds, x, y, **key):
@@ -60,15 +60,15 @@ def _kinds(table, study, column, kinds, x, y, **key):
 def arc_length_evaluations(bundle):
     """Largest relative error against the mean number of evaluations, a point for each tolerance."""
     parts = _kinds(bundle["arc_length.csv"], "arc_length-tolerance", "generator", MEASURED, "mean_evaluations", "max_relative", degree=3)
-    return _against_cost(bundle, "arc-length-evaluations", ("Largest relative error of an arc length against the number of evaluations, a point for each "
-                                                    "tolerance", "弧长最大相对误差与求值次数"), parts, "mean evaluations", "evaluations", 2.7)
+    return _against_cost(bundle, "arc-length-evaluations", "Largest relative error of an arc length against the number of evaluations, a point for "
+                         "each tolerance", parts, "mean evaluations", "evaluations", 2.7)
 
 
 @figure
 def fitting_segments(bundle):
     """Largest true error against the mean number of segments, a point for each tolerance."""
     parts = _kinds(bundle["fitting.csv"], "fitting-cubics", "data", FITTED, "mean_segments", "max_error", dimension=2)
-    return _against_cost(bundle, "fitting-segments", ("Largest true error of fits against the number of segments, a point for each tolerance", "拟合误差与段数"),
+    return _against_cost(bundle, "fitting-segments", "Largest true error of fits against the number of segments, a point for each tolerance",
                          parts, "mean number of segments", "segments", 2.4)
 
 
@@ -85,8 +85,8 @@ def fitting_time(bundle):
         return found
     parts = [[(sentence_case(words) if column == "max_error" else "", label, lines(data, column)) for column, label in COSTS.items()]
              for data, words in FITTED.items() if any(time["data"] == data for time, _ in pairs)]
-    return _against_cost(bundle, "fitting-time", ("Largest true error and number of segments against the time of a fit, a point for each tolerance",
-                                          "拟合误差、段数与用时"), parts, "µs per fit", "µs", 2.3)
+    return _against_cost(bundle, "fitting-time", "Largest true error and number of segments against the time of a fit, a point for each tolerance", parts,
+                         "µs per fit", "µs", 2.3)
 
 
 @figure
@@ -104,7 +104,7 @@ def answer_cell(bundle):
     axes[0][0].set_xlabel("ns per point")
     words = "; ".join(f"{one.method}: {general(one.ns)} ns, {general(one.error_u)} u p~" for one in members)
     return finish(canvas, "answer-figure", f"Time against the largest observed error, {FORMS.get(cell.form, cell.form)}, degree {shortest(cell.degree)}; "
-                  f"the thin line upwards ends at the proved bound, filled marks are not dominated{_grey(shown, methods)}", "用时与最大误差",
+                  f"the thin line upwards ends at the proved bound, filled marks are not dominated{_grey(shown, methods)}",
                   f"Doubly logarithmic. {words}.", bottom=0.1)
 
 
@@ -133,7 +133,7 @@ def time_against_error(bundle, whole=False):
         ax.set_title(f"degree {n:g}", loc="left")
     axes[-1][0].set_xlabel(f"ns per point, {FORM.get(curve, (curve,))[0]}, one point at a time, double")
     return finish(canvas, "time-against-error", "Time per point against the largest observed error; the thin line upwards ends at the proved bound, "
-                  f"filled marks are not dominated, useless methods are left out{_grey(shown, methods)}", "每点用时与最大误差",
+                  f"filled marks are not dominated, useless methods are left out{_grey(shown, methods)}",
                   f"Doubly logarithmic. {'; '.join(words)}.", bottom=0.1,
                   more=(lambda: time_against_error(bundle, True)) if len(shown) < len(methods) else None)
 

@@ -72,5 +72,4 @@ def curves_of_sets(bundle):
         words.append(f"{name}: half of the curves are nearer than {general(distances[(len(distances) - 1) // 2])} times their size")
     axes[-1][0].set_xlabel("largest coordinate over the size, at most")
     left_out = f"; {count(len(sets) - MOST, 'other set')} left out" if len(sets) > MOST else ""
-    return finish(canvas, "curves-of-sets", f"How far from the origin the curves of a set are, over their size, and what some of them look like{left_out}",
-                  "曲线集：曲线到原点的距离与其尺寸之比，及部分曲线", f"{'; '.join(words)}.", bottom=0.1)
+    return finish(canvas, "curves-of-sets", f"How far from the origin the curves of a set are, over their size, and what some of them look like{left_out}", f"{'; '.join(words)}.", bottom=0.1)

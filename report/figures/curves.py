@@ -39,7 +39,7 @@ def fitting_example(bundle):
     canvas.legend(handles=[*handles, Line2D([], [], color=INK, linestyle="none", marker=".", label="data")], loc="lower center",
                   ncol=len(methods) + 1, fontsize=9)
     return finish(canvas, "fitting-example", f"Data of cubics and their fits, tolerance {scientific(rows[0]['tolerance'])}; circles are joints; below, "
-                  "the numbers of segments", "数据与分段拟合", "Segments by kind of data and method. " + "; ".join(texts) + ".",
+                  "the numbers of segments", "Segments by kind of data and method. " + "; ".join(texts) + ".",
                   bottom=0.35)
 
 
@@ -78,5 +78,4 @@ def spacing(bundle):
             ax.set_title(f"{SPACED[study][0].upper()}{SPACED[study][1:]}, {words}", loc="left")
             if gaps:
                 texts.append(f"{SPACED[study]}, {words}: gaps of {span(min(gaps), max(gaps), lambda gap: f'{gap:.2f}')} of the mean")
-    return finish(canvas, "spacing", "Points at equal steps of t, left, and at equal steps of the length, right",
-                  "等参数步长（左）与等弧长（右）取点", "; ".join(texts) + ".", bottom=0.1)
+    return finish(canvas, "spacing", "Points at equal steps of t, left, and at equal steps of the length, right", "; ".join(texts) + ".", bottom=0.1)

@@ -59,8 +59,7 @@ def error_against_condition(bundle, whole=False):
         if len(shown) <= MOST_NAMED:
             beside(ax)
     axes[-1][0].set_xlabel("median condition number p~/|p|")
-    return finish(canvas, "error-against-condition", f"Relative error against condition number; one point per cell, errors above 1e6 not drawn{some or ''}",
-                  "相对误差与条件数", "Doubly logarithmic, with lines at u and at condition 1/u to 1/u^4. " + "; ".join(words) + ".",
+    return finish(canvas, "error-against-condition", f"Relative error against condition number; one point per cell, errors above 1e6 not drawn{some or ''}", "Doubly logarithmic, with lines at u and at condition 1/u to 1/u^4. " + "; ".join(words) + ".",
                   bottom=0.1, more=(lambda: error_against_condition(bundle, True)) if some else None)
 
 
@@ -102,7 +101,6 @@ def guarantee_matrix(bundle, study=None):
     handles = [ax.fill([], [], color=colour, alpha=0.55, label=VERDICT_MEANING[verdict])[0] for verdict, colour in VERDICT_COLOUR.items()]
     canvas.legend(handles=handles, loc="lower center", ncol=3, fontsize=8)
     return finish(canvas, f"{study}-figure" if study else "guarantee-matrix", f"What each method keeps of a curve of degree {degree:g} in {scalar}",
-                  "各方法所保持的性质",
                   f"A matrix of {len(methods)} methods and {len(properties)} properties; the table below says the same in words.",
                   bottom=0.35)
 
@@ -144,8 +142,7 @@ def hard_case_distances(bundle, study):
     canvas.legend(list(handles.values()), list(handles), loc="lower center", ncol=len(handles), fontsize=8)
     on = [r for r in rows if _power(r) is None]
     return finish(canvas, f"{study}-figure", f"{bundle.title(study)}: the distance of each exact value from a rounding boundary, by family "
-                  "and search" + (f"; {len(on)} cases on a boundary, of {listing(dict.fromkeys(r['family'] for r in on))}, have none" if on else ""),
-                  "真值与舍入边界的距离", "Logarithmic. " + "; ".join(_words(s, families, [r for r in rows if r["scalar"] == s]) for s in scalars) + ".",
+                  "and search" + (f"; {len(on)} cases on a boundary, of {listing(dict.fromkeys(r['family'] for r in on))}, have none" if on else ""), "Logarithmic. " + "; ".join(_words(s, families, [r for r in rows if r["scalar"] == s]) for s in scalars) + ".",
                   bottom=0.35)
 
 
@@ -198,5 +195,4 @@ def searched_maxima(bundle):
     handles = [axes[0][0].plot([], [], linestyle="none", marker=mark, color=colour, markersize=7, markeredgewidth=2 if mark == "|" else 0.5,
                                label=name)[0] for _, name, mark, colour in MAXIMA_MARKS]
     canvas.legend(handles=handles, loc="lower center", ncol=3, fontsize=9)
-    return finish(canvas, "searched-maxima", "Sampled and searched maximum and proved bound, methods that evaluate the given form",
-                  "抽样最大误差、搜索最大误差与已证误差界", "Logarithmic. " + "; ".join(words) + ".", bottom=0.35)
+    return finish(canvas, "searched-maxima", "Sampled and searched maximum and proved bound, methods that evaluate the given form", "Logarithmic. " + "; ".join(words) + ".", bottom=0.35)

@@ -54,7 +54,7 @@ def _errors(bundle, figure_id, captions, table, order, across, plots):
             if column == 0:
                 ax.set_ylabel(f"{STATISTIC[statistic][0]} (coordinate units)")
     legend(canvas, LEGEND)
-    return finish(canvas, figure_id, *captions, f"{plots} plots of our medians with the printed points. " + "; ".join(words) + ".")
+    return finish(canvas, figure_id, captions[0], f"{plots} plots of our medians with the printed points. " + "; ".join(words) + ".", caption_zh=captions[1])
 
 
 def _column(name):
@@ -121,8 +121,8 @@ def error_over_range(bundle):
         ax.set_xlabel("range R (coordinates in [-R, R])")
     axes[0][0].set_ylabel("mean error / R")
     legend(canvas, [entry for entry in LEGEND if entry[0] != name("de_casteljau")])
-    return finish(canvas, "error-over-range", "Mean error divided by the range (table 2.3.2)", "平均误差除以坐标范围（表 2.3.2）",
-                  "Mean error over range against range. " + "; ".join(words) + ".")
+    return finish(canvas, "error-over-range", "Mean error divided by the range (table 2.3.2)",
+                  "Mean error over range against range. " + "; ".join(words) + ".", caption_zh="平均误差除以坐标范围（表 2.3.2）")
 
 
 @figure
@@ -150,9 +150,9 @@ def time_against_degree(bundle):
                         xycoords=("axes fraction", "data"), ha="right", va="top")
     axes[0][0].set_ylabel("µs per curve (ms per 1000 curves)")
     legend(canvas, [(name(m), WELL_KNOWN[m]) for methods in TIMED.values() for m in methods], dashed="prepared once, per point", dotted=None)
-    return finish(canvas, "time-against-degree", "Time against degree (table 2.4)", "用时与阶数（表 2.4）",
+    return finish(canvas, "time-against-degree", "Time against degree (table 2.4)",
                   "Logarithmic plots of our times with the printed whole milliseconds. " + "; ".join(words) + ".",
-                  bottom=0.95)
+                  bottom=0.95, caption_zh="用时与阶数（表 2.4）")
 
 
 # In the order of the page.

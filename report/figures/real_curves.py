@@ -55,6 +55,6 @@ def misrounded_by_distance(bundle, whole=False):
                                                                 for r in {r["method"]: r for r in own}.values()))
     axes[-1][0].set_xlabel("R, the distance over the size")
     return finish(canvas, "misrounded-by-distance", "Share of misrounded coordinates: curves of size 1 at a distance R, and the sets; no mark where there is none"
-                  + chosen(shown, methods), "未舍入到最近浮点数的坐标所占比例：按距离，及各曲线集",
+                  + chosen(shown, methods),
                   f"Logarithmic. {'; '.join(words)}.", bottom=0.1,
                   more=(lambda: misrounded_by_distance(bundle, True)) if len(shown) < len(methods) else None)

@@ -59,7 +59,7 @@ def draw(bundle):
         times.set_yticks(range(len(shown)), [method for method, *_ in shown])
         times.invert_yaxis()
         errors.axvline(1, color=FAINT, linewidth=0.9)
-        return finish(canvas, "time-and-error", "", "", "", bottom=0.1)
+        return finish(canvas, "time-and-error", "", "", bottom=0.1)
 
     return for_both_screens(drawn().drawing.svg, words(bundle))
 
