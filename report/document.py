@@ -133,6 +133,7 @@ class Figure(Block):
     alt: str
     draw: Callable  # () -> Drawing
     caption_zh: str = ""  # of the source report alone, as that of a table
+    note: str = ""  # which methods it shows, where these are not all
     more: Callable | None = None  # () -> the Figure of all methods, where this one shows some of them
 
     @cached_property

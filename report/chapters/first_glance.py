@@ -26,7 +26,7 @@ def verdict(bundle, findings):
                "“What was found”.")
     for heading, members in grouped(decided):
         yield Heading(heading)
-        yield Bullets(tuple(f"“{f.claim.rstrip('.')}”{f' ({f.place})' if f.place else ''}: {f.headline}" if f.claim else f.headline for f in members))
+        yield Bullets(tuple(f"**{f.headline}** The report says{f' ({f.place})' if f.place else ''}: {f.claim}" if f.claim else f.headline for f in members))
 
 
 @chapter("At a glance", whole=True)

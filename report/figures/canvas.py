@@ -192,9 +192,9 @@ def _colour(artist):
     return colour[0] if getattr(colour, "ndim", 1) == 2 else colour
 
 
-def finish(canvas, figure_id, caption, alt, bottom=0.75, more=None, caption_zh=""):
-    """The figure of this canvas, whose lowest `bottom` inches are for legends; `more` makes that of all methods where it shows the leading ones."""
-    return Figure(id=figure_id, caption=caption, caption_zh=caption_zh, alt=alt, draw=lambda: _draw(canvas, bottom), more=more)
+def finish(canvas, figure_id, caption, alt, bottom=0.75, more=None, note="", caption_zh=""):
+    """The figure of this canvas, whose lowest `bottom` inches are for legends; `more` makes that of all methods where it shows those of the `note`."""
+    return Figure(id=figure_id, caption=caption, caption_zh=caption_zh, alt=alt, draw=lambda: _draw(canvas, bottom), more=more, note=note)
 
 
 @styled

@@ -15,8 +15,8 @@ WELL_KNOWN = {
     "forward_substitution:direct": "#d8625c", "compensated_volk_schumaker": "#9477dd", "compensated_horner": "#238579",
 }
 PALETTE = tuple(WELL_KNOWN.values())
-OTHERS = ("#4a7dd9", "#9e5200", "#007f32", "#9765c6", "#a77600", "#c0558b", "#0090aa", "#746b00",
-          "#c9593b", "#6058bb", "#6a8f09", "#ae3a4f", "#1e9577", "#a04a9e", "#1370a1", "#007978")
+OTHERS = ("#9e5200", "#6a8f09", "#4a7dd9", "#c9593b", "#6058bb", "#007978", "#c0558b", "#a04a9e",
+          "#a77600", "#0090aa", "#746b00", "#ae3a4f", "#1e9577", "#9765c6", "#1370a1", "#007f32")
 MARKERS = ("o", "s", "^", "D", "v")
 MOST = 8
 FRONT = 5  # of them
@@ -62,4 +62,4 @@ def leading(bundle, methods, value):
 
 def chosen(shown, methods):
     """What a caption adds where a figure does not show all."""
-    return f"; {len(shown)} of {len(methods)} methods: {RULE}" if len(shown) < len(methods) else ""
+    return f"{len(shown)} of {len(methods)} methods: {RULE}" if len(shown) < len(methods) else ""

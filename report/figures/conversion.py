@@ -73,7 +73,7 @@ def conversion_interval(bundle, whole=False):
     axes[-1][0].set_xticks([(a + b) / 2 for a, b in places], [interval(a, b) for a, b in places])
     axes[-1][0].set_xlabel("interval of t")
     return finish(canvas, "conversion-interval", "Error of paths to power form against the interval of t; (1+2t)^n is scaled to the worst path's error in "
-                  "the first interval" + chosen(shown, methods), "; ".join(words) + ".", bottom=0.1,
+                  "the first interval", "; ".join(words) + ".", bottom=0.1, note=chosen(shown, methods),
                   more=(lambda: conversion_interval(bundle, True)) if len(shown) < len(methods) else None)
 
 

@@ -104,12 +104,12 @@ def answer_cell(bundle):
     axes[0][0].set_xlabel("ns per point")
     words = "; ".join(f"{one.method}: {general(one.ns)} ns, {general(one.error_u)} u p~" for one in members)
     return finish(canvas, "answer-figure", f"Time against the largest observed error, {FORMS.get(cell.form, cell.form)}, degree {shortest(cell.degree)}; "
-                  f"the thin line upwards ends at the proved bound, filled marks are not dominated{_grey(shown, methods)}",
-                  f"Doubly logarithmic. {words}.", bottom=0.1)
+                  f"the thin line upwards ends at the proved bound, filled marks are not dominated",
+                  f"Doubly logarithmic. {words}.", bottom=0.1, note=_grey(shown, methods))
 
 
 def _grey(shown, methods):
-    return chosen(shown, methods) + (", the others in grey" if len(shown) < len(methods) else "")
+    return f"{chosen(shown, methods)}; the others are grey" if len(shown) < len(methods) else ""
 
 
 @figure
@@ -133,8 +133,8 @@ def time_against_error(bundle, whole=False):
         ax.set_title(f"degree {n:g}", loc="left")
     axes[-1][0].set_xlabel(f"ns per point, {FORM.get(curve, (curve,))[0]}, one point at a time, double")
     return finish(canvas, "time-against-error", "Time per point against the largest observed error; the thin line upwards ends at the proved bound, "
-                  f"filled marks are not dominated, useless methods are left out{_grey(shown, methods)}",
-                  f"Doubly logarithmic. {'; '.join(words)}.", bottom=0.1,
+                  f"filled marks are not dominated, useless methods are left out",
+                  f"Doubly logarithmic. {'; '.join(words)}.", bottom=0.1, note=_grey(shown, methods),
                   more=(lambda: time_against_error(bundle, True)) if len(shown) < len(methods) else None)
 
 

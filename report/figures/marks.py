@@ -59,8 +59,8 @@ def error_against_condition(bundle, whole=False):
         if len(shown) <= MOST_NAMED:
             beside(ax)
     axes[-1][0].set_xlabel("median condition number p~/|p|")
-    return finish(canvas, "error-against-condition", f"Relative error against condition number; one point per cell, errors above 1e6 not drawn{some or ''}", "Doubly logarithmic, with lines at u and at condition 1/u to 1/u^4. " + "; ".join(words) + ".",
-                  bottom=0.1, more=(lambda: error_against_condition(bundle, True)) if some else None)
+    return finish(canvas, "error-against-condition", "Relative error against condition number; one point per cell, errors above 1e6 not drawn", "Doubly logarithmic, with lines at u and at condition 1/u to 1/u^4. " + "; ".join(words) + ".",
+                  bottom=0.1, note=some or "", more=(lambda: error_against_condition(bundle, True)) if some else None)
 
 
 @figure

@@ -54,7 +54,6 @@ def misrounded_by_distance(bundle, whole=False):
         words.append(f"degree {shortest(degree)}: " + ", ".join(f"{r['method']} {share(r['misrounded'])} at R = {shortest(r['coordinate_range'])}"
                                                                 for r in {r["method"]: r for r in own}.values()))
     axes[-1][0].set_xlabel("R, the distance over the size")
-    return finish(canvas, "misrounded-by-distance", "Share of misrounded coordinates: curves of size 1 at a distance R, and the sets; no mark where there is none"
-                  + chosen(shown, methods),
-                  f"Logarithmic. {'; '.join(words)}.", bottom=0.1,
+    return finish(canvas, "misrounded-by-distance", "Share of misrounded coordinates: curves of size 1 at a distance R, and the sets; no mark where there is none",
+                  f"Logarithmic. {'; '.join(words)}.", bottom=0.1, note=chosen(shown, methods),
                   more=(lambda: misrounded_by_distance(bundle, True)) if len(shown) < len(methods) else None)

@@ -108,8 +108,8 @@ def study_lines(bundle, study, whole=False):
         axes[-1][0].set_xlabel(WORDS[axis])
     merged = _merged(rows, axis)
     return finish(canvas, f"{study}-figure", f"{bundle.title(study)}{f', against {WORDS[axis]}' if draw is _against else ''}"
-                  + (f"; each point is the largest value over {listing(merged)}" if merged else "") + chosen(shown, methods),
-                  "Logarithmic. " + "; ".join(_words(*one) for one in drawn) + ".", bottom=0.1,
+                  + (f"; each point is the largest value over {listing(merged)}" if merged else ""),
+                  "Logarithmic. " + "; ".join(_words(*one) for one in drawn) + ".", bottom=0.1, note=chosen(shown, methods),
                   more=(lambda: study_lines(bundle, study, True)) if len(shown) < len(methods) else None)
 
 

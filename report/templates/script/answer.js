@@ -131,8 +131,9 @@ function draw(cell, methods) {
   const y = (v) => height - bottom - (height - bottom - 12) * Math.log(v / y0) / Math.log(y1 / y0);
   const svg = make("svg:svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Time against error, ${cell.words}` });
   const text = (at, words, more = {}) => make("svg:text", { x: at[0], y: at[1], class: "ink", ...more }, words);
-  for (const at of decades(x0, x1)) svg.append(make("svg:path", { class: "rule", d: `M${x(at)},12V${height - bottom}` }), text([x(at), height - bottom + 16], general(at), { "text-anchor": "middle" }));
-  for (const at of decades(y0, y1)) svg.append(make("svg:path", { class: "rule", d: `M${left},${y(at)}H${width - 16}` }), text([left - 6, y(at) + 4], general(at), { "text-anchor": "end" }));
+  const tick = (at) => (at >= 1e4 || at < 1e-3 ? at.toExponential().replace("e+", "e") : String(at));
+  for (const at of decades(x0, x1)) svg.append(make("svg:path", { class: "rule", d: `M${x(at)},12V${height - bottom}` }), text([x(at), height - bottom + 16], tick(at), { "text-anchor": "middle" }));
+  for (const at of decades(y0, y1)) svg.append(make("svg:path", { class: "rule", d: `M${left},${y(at)}H${width - 16}` }), text([left - 6, y(at) + 4], tick(at), { "text-anchor": "end" }));
   svg.append(text([(left + width) / 2, height - 8], "ns per point", { "text-anchor": "middle" }),
     text([0, 0], "largest observed error, u p~", { "text-anchor": "middle", transform: `translate(14,${(height - bottom) / 2}) rotate(-90)` }));
   const right = new Set(methods.map((one) => one.method));

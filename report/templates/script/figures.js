@@ -117,6 +117,7 @@ function dressFigure(element, series, { follows = false, prefix = element.id, mo
   known?.legend.remove();
   const figure = { id, element, svg, series, follows, prefix, more, at: null, chosen: new Set((state.get(`only.${id}`) ?? "").split("|").filter((name) => series.some((one) => one.name === name))) };
   figures.set(id, figure);
+  element.classList.toggle("whole", Boolean(more) && !few(figure));
   figure.none = make("span", { class: "fault", role: "status" });
   figure.legend = make("div", { class: "legend", role: "group", "aria-label": "Show only" },
     ...(series.length > 1 ? series.filter((one) => one.leads !== false).map((one) => make("button", { type: "button", "data-name": one.name, "aria-pressed": "false", click: () => isolate(figure, one.name) },
