@@ -53,7 +53,7 @@ def _shell_word(name):
 
 
 def _methods(bundle):
-    return {row["method"] for table in bundle.tables.values() if "method" in table.columns for row in table.rows if row["method"]}
+    return {row[column] for table in bundle.tables.values() for column in ("method", "conversion") if column in table.columns for row in table.rows if row[column]}
 
 
 def roots(methods):

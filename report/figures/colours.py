@@ -62,4 +62,5 @@ def leading(bundle, methods, value):
 
 def chosen(shown, methods):
     """What a caption adds where a figure does not show all."""
-    return f"{len(shown)} of {len(methods)} methods: {RULE}" if len(shown) < len(methods) else ""
+    rule = RULE if WELL_KNOWN.keys() & set(shown) else "those with the least values"
+    return f"{len(shown)} of {len(methods)} methods: {rule}" if len(shown) < len(methods) else ""

@@ -110,7 +110,7 @@ function dressDrawn(element, follows) {
   show();
 }
 
-function dressFigure(element, series, { follows = false, prefix = element.id, more = null, count = data.figures[`${element.id}-all`]?.length } = {}) {
+function dressFigure(element, series, { follows = false, prefix = element.id, more = null, count = new Set(data.figures[`${element.id}-all`]?.flatMap((one) => one.methods)).size } = {}) {
   const svg = element.querySelector("svg");
   const id = element.id;
   const known = figures.get(id);
