@@ -13,7 +13,7 @@ _CODE = re.compile(r"`([^`]+)`")
 _STRONG = re.compile(r"\*\*([^*]+)\*\*")
 _HAN = re.compile(r"([\u3400-\u9fff][\u3000-\u303f\u3400-\u9fff\uff00-\uffef]*)")
 _NUMBER = re.compile(r"[0-9.e+-]*", re.ASCII)
-_PART = re.compile(r"(?<=[_:])(?=[a-z])")  # where an id may be broken
+_WORD, _PART = re.compile(r"(?<=[a-z]_)(?=[a-z])"), re.compile(r"(?<=[:.])(?=[a-z])")  # where ids may be broken, in any text and in code
 _TOGETHER = re.compile(r"\d %|\bR = \S|\bu p~|\d (?:µs|ms|ulp)\b")  # never parted by a line break
 
 
@@ -35,7 +35,7 @@ def to_html(text):
     """Escaped, marked, and with Chinese text tagged for screen readers and fonts."""
     if _NUMBER.fullmatch(text):  # most cells of a large page
         return Markup(text)
-    escaped = str(escape(text)).replace("&#39;", "'")  # between tags and in double quotes it is itself
+    escaped = _WORD.sub("<wbr>", str(escape(text)).replace("&#39;", "'"))  # between tags and in double quotes it is itself
     text = _STRONG.sub(r"<strong>\1</strong>", _CODE.sub(lambda m: f"<code>{_PART.sub('<wbr>', m[1])}</code>", escaped))
     text = _TOGETHER.sub(lambda m: m[0].replace(" ", "\u00a0"), text)
     return Markup(_HAN.sub(r'<span lang="zh-Hans">\1</span>', text))

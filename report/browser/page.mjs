@@ -282,6 +282,21 @@ async function looks(path) {
   check(clipped.length === 0, `the caption is cut of ${clipped}`);
   await desk.context().close();
   const phone = await open(path, { viewport: { width: 390, height: 844 } });
+  await phone.evaluate(() => document.querySelectorAll("section").forEach((section) => { section.style.contentVisibility = "visible"; }));
+  const broken = await phone.$$eval("main :is(th, td.words, td.verbal, caption, p, li)", (all) => all.flatMap((element) => {
+    const found = [];
+    const texts = document.createTreeWalker(element, NodeFilter.SHOW_TEXT);
+    for (let node = texts.nextNode(); node; node = texts.nextNode()) {
+      for (const word of node.data.matchAll(/[A-Za-z]{2,}/g)) {
+        const range = document.createRange();
+        range.setStart(node, word.index);
+        range.setEnd(node, word.index + word[0].length);
+        if ([...range.getClientRects()].filter((one) => one.width > 0.5).length > 1) found.push(word[0]);
+      }
+    }
+    return found;
+  }));
+  check(broken.length === 0, `at 390 px these words are broken: ${[...new Set(broken)]}`);
   const width = await phone.evaluate(() => { // ids and cells of any length
     document.querySelector("#picker option").textContent += ", and what else tells this cell from the others of this bundle";
     document.querySelectorAll("main p code").forEach((code) => { code.textContent = "forward_substitution:compensated_volk_schumaker"; });
@@ -297,20 +312,6 @@ async function looks(path) {
   check(cut.length === 0, `at 390 px no number is seen of ${cut}`);
   const over = await phone.$$eval("main tbody th", (all) => all.filter((label) => label.scrollWidth > label.clientWidth + 1).map((label) => label.textContent));
   check(over.length === 0, `at 390 px these labels reach into the numbers: ${[...new Set(over)]}`);
-  const broken = await phone.$$eval("main :is(th, td.words, td.verbal, caption, p, li)", (all) => all.flatMap((element) => {
-    const found = [];
-    const texts = document.createTreeWalker(element, NodeFilter.SHOW_TEXT);
-    for (let node = texts.nextNode(); node; node = texts.nextNode()) {
-      for (const word of node.data.matchAll(/[A-Za-z]{2,}/g)) {
-        const range = document.createRange();
-        range.setStart(node, word.index);
-        range.setEnd(node, word.index + word[0].length);
-        if (range.getClientRects().length > 1) found.push(word[0]);
-      }
-    }
-    return found;
-  }));
-  check(broken.length === 0, `at 390 px these words are broken: ${[...new Set(broken)]}`);
   await phone.context().close();
   const dark = await open(path, { colorScheme: "dark" });
   const paper = () => dark.evaluate(() => getComputedStyle(document.body).backgroundColor);

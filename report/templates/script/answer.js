@@ -84,7 +84,7 @@ function fillTable(cell, methods) {
   const td = (text, raw, mark) => make("td", { class: mark || false, "data-v": raw === null ? false : String(raw) }, text);
   for (const body of [...table.tBodies]) body.remove();
   table.append(...methods.map((one) => make("tbody", { class: "one", "data-key": one.method, hidden: !seen(one.method) },
-    make("tr", {}, make("th", { class: "group", scope: "row" }, make("code", {}, one.method)),
+    make("tr", {}, make("th", { class: "group", scope: "row" }, make("code", {}, ...one.method.split(/(?<=[_:])/).flatMap((part) => [part, make("wbr")]))),
       ...(timed ? [td(`${general(one.ns)} [${general(one.low)} – ${general(one.high)}]`, one.ns)] : []),
       td(general(one.error_u) + lost(one.error_u), one.error_u), td(general(one.bound_u), one.bound_u),
       ...(timed ? [td(WORTH.get(one.front) ?? "", one.front, one.front === "yes" && !lost(one.error_u) ? "inside" : "")] : [])))));
