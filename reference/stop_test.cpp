@@ -6,9 +6,9 @@
 #include <functional>
 #include <vector>
 
-#include "reference/companion/exact_bspline.hpp"
+#include "reference/companion/bspline_control_points.hpp"
 #include "reference/companion/projection.hpp"
-#include "reference/length/length_along.hpp"
+#include "reference/length/length_truth.hpp"
 #include "reference/length/true_length.hpp"
 
 namespace bezierbench::reference {

@@ -6,7 +6,7 @@
 #include "bindings/c/chosen.hpp"
 #include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
-#include "reference/companion/pole.hpp"
+#include "reference/companion/exact_roots.hpp"
 #include "reference/length/true_length.hpp"
 
 using namespace bezierbench;

@@ -6,7 +6,7 @@
 
 #include "bindings/c/chosen.hpp"
 #include "core/evaluate/kernel/kernel.hpp"
-#include "reference/error/coordinate_error.hpp"
+#include "reference/error/trial_scale.hpp"
 #include "reference/exact_curve.hpp"
 
 using namespace bezierbench;

@@ -12,7 +12,6 @@
 #include "bindings/c/curves.hpp"
 #include "core/bspline/kernel.hpp"
 #include "reference/companion/bspline_control_points.hpp"
-#include "reference/companion/exact_bspline.hpp"
 
 using namespace bezierbench;
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "bindings/c/more_axes.hpp"
-#include "reference/companion/exact_control_points.hpp"
+#include "reference/companion/exact_split.hpp"
 
 using namespace bezierbench;
 

@@ -11,7 +11,7 @@
 #include "core/grid/grid.hpp"
 #include "core/grid/kernel.hpp"
 #include "core/subdivide/kernel.hpp"
-#include "reference/companion/pole.hpp"
+#include "reference/companion/exact_roots.hpp"
 
 using namespace bezierbench;
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bindings/c/more_axes.hpp"
-#include "reference/error/coordinate_error.hpp"
+#include "reference/error/trial_scale.hpp"
 #include "reference/exact_curve.hpp"
 
 using namespace bezierbench;

@@ -10,7 +10,7 @@
 
 #include "bindings/c/chosen.hpp"
 #include "core/fit/kernel.hpp"
-#include "reference/companion/fit_distance.hpp"
+#include "reference/companion/polyline_departure.hpp"
 
 using namespace bezierbench;
 

@@ -5,7 +5,7 @@
 
 #include "bindings/c/chosen.hpp"
 #include "core/flatten/kernel.hpp"
-#include "reference/companion/pole.hpp"
+#include "reference/companion/exact_roots.hpp"
 
 using namespace bezierbench;
 

@@ -2,7 +2,7 @@
 // Projections by a method, true ones, and errors.
 #include "bindings/c/chosen.hpp"
 #include "core/project/kernel.hpp"
-#include "reference/companion/pole.hpp"
+#include "reference/companion/exact_roots.hpp"
 #include "reference/companion/projection.hpp"
 
 using namespace bezierbench;

@@ -5,7 +5,6 @@
 
 #include "bindings/c/curve.hpp"
 #include "reference/companion/exact_roots.hpp"
-#include "reference/companion/pole.hpp"
 
 using namespace bezierbench;
 

@@ -2,7 +2,7 @@
 #include <new>
 
 #include "bindings/c/status.hpp"
-#include "reference/length/length_panels.hpp"
+#include "reference/length/true_length.hpp"
 
 namespace bezierbench::c {
 

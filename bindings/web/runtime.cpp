@@ -13,7 +13,7 @@
 
 #include "bindings/c/status.hpp"
 #include "core/error_free.hpp"
-#include "reference/length/length_panels.hpp"
+#include "reference/length/true_length.hpp"
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include "core/arc_length/speed.hpp"
 #include "core/evaluate/evaluation_test.hpp"
 #include "core/evaluate/kernel/kernel_of.hpp"
-#include "reference/length/length_panels.hpp"
+#include "reference/length/true_length.hpp"
 
 namespace bezierbench {
 namespace {

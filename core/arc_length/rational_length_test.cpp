@@ -11,7 +11,7 @@
 
 #include "core/arc_length/kernel.hpp"
 #include "core/evaluate/evaluation_test.hpp"
-#include "reference/companion/pole.hpp"
+#include "reference/companion/exact_roots.hpp"
 #include "reference/length/true_length.hpp"
 
 namespace bezierbench {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/bounds/kernel.hpp"
-#include "reference/companion/exact_range.hpp"
+#include "reference/companion/exact_roots.hpp"
 
 namespace bezierbench {
 namespace {

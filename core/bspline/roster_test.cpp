@@ -15,7 +15,7 @@
 #include "core/bspline/bspline.hpp"
 #include "core/bspline/kernel.hpp"
 #include "core/evaluate/evaluation_test.hpp"
-#include "reference/companion/exact_bspline.hpp"
+#include "reference/companion/bspline_control_points.hpp"
 
 namespace bezierbench {
 namespace {

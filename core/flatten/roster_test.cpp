@@ -13,8 +13,7 @@
 #include "core/evaluate/evaluation_test.hpp"
 #include "core/flatten/kernel.hpp"
 #include "reference/companion/chord_distance.hpp"
-#include "reference/companion/least_chords.hpp"
-#include "reference/companion/pole.hpp"
+#include "reference/companion/exact_roots.hpp"
 
 namespace bezierbench {
 namespace {

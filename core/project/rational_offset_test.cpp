@@ -12,7 +12,7 @@
 #include "core/evaluate/evaluation_test.hpp"
 #include "core/project/kernel.hpp"
 #include "core/project/subdivide_hull.hpp"
-#include "reference/companion/pole.hpp"
+#include "reference/companion/exact_roots.hpp"
 #include "reference/companion/projection.hpp"
 #include "reference/exact_curve.hpp"
 

@@ -15,7 +15,7 @@
 #include "experiments/metric/error_units.hpp"
 #include "experiments/metric/scale_lanes.hpp"
 #include "reference/exact_curve.hpp"
-#include "reference/long_double.hpp"
+#include "reference/true_point.hpp"
 
 namespace bezierbench::judge {
 namespace {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/companion/least_chords.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace bezierbench::reference {

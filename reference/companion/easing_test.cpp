@@ -6,8 +6,6 @@
 #include <cmath>
 #include <random>
 
-#include "reference/companion/float_easing.hpp"
-
 namespace bezierbench::reference {
 namespace {
 

@@ -2,7 +2,7 @@
 // The errors of lengths and of parameters at lengths, decided in pairs of doubles where their uncertainty allows it,
 // and in 70 digits where it does not. Both give the same bits.
 //
-// A length in pairs comes with a proved uncertainty (length_panels.hpp), some 1e-27 of it. The one in 70 digits lies
+// A length in pairs comes with a proved uncertainty (true_length.hpp), some 1e-27 of it. The one in 70 digits lies
 // within that and its own, at most 1e-30 of the length. So every requested number lies in a known interval, and
 // where both its ends are rounded to the same, so is the number in 70 digits. An interval that contains 0 decides
 // nothing: there the 70 digits say whether a method is exact.
@@ -15,14 +15,64 @@
 // and are rounded, or if it or its length is far from 1.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "core/curve_view.hpp"
-#include "reference/length/length_along.hpp"
 #include "reference/length/true_length.hpp"
 #include "reference/true_point.hpp"
 
 namespace bezierbench::reference {
+
+// True lengths along one curve, both ways: from a parameter to the length up to it, and back. In 70 digits they are
+// right to at least 30 digits of the whole length, in pairs to `uncertainty`.
+//
+// The curve is integrated once, panel by panel (true_length.hpp). A length up to t is the sum of the panels before t
+// and one quadrature over the rest; a parameter is found in its panel by Newton's method in a bracket.
+
+template <class Real>
+class LengthAlong {
+ public:
+  /// Of `curve` (Bernstein form or rational without a pole, finite, dimension at most 3). In 70 digits it throws
+  /// NotCertain should the length of the curve not be certain to 30 digits.
+  explicit LengthAlong(const CurveView<double>& curve);
+
+  /// 0 where all control points are equal.
+  [[nodiscard]] const Real& whole() const { return cumulative_.back(); }
+
+  /// Lengths are right to this.
+  [[nodiscard]] const Real& uncertainty() const { return uncertainty_; }
+
+  /// s(t), the length from the beginning to t, negative for t < 0. Beyond its ends the curve is continued.
+  [[nodiscard]] Real length_to(const Real& t) const;
+
+  /// |s(t) - length|; 0 where it is within what is uncertain of the whole length.
+  [[nodiscard]] Real distance(const Real& t, const Real& length) const;
+
+  /// The t in [0, 1] with s(t) = length; beyond an end that of the end. 0 where the whole length is 0.
+  [[nodiscard]] Real parameter_at(const Real& length) const;
+
+  /// The same; empty where lengths within the uncertainty of `length` have parameters that round to different doubles.
+  [[nodiscard]] std::optional<Real> known_parameter_at(const Real& length) const;
+
+  /// The speed |p'| at t in [0, 1].
+  [[nodiscard]] Real speed_at(const Real& t) const;
+
+ private:
+  struct Excess {
+    Real length = 0;
+    Real uncertainty = 0;
+  };
+  /// The length between t outside [0, 1] and the nearer end, of the curve continued; 0 for t in [0, 1].
+  [[nodiscard]] Excess excess(const Real& t) const;
+  [[nodiscard]] std::size_t panel_at(const Real& t) const;
+
+  Hodograph<Real> hodograph_;
+  std::vector<LengthPanel<Real>> panels_;
+  Real uncertainty_ = 0;
+  std::vector<Real> cumulative_{0};  ///< length before each panel, and that of all
+};
 
 /// Contains a number that is not exactly known. Its ends are numbers in pairs, each rounded to double.
 struct Enclosure {

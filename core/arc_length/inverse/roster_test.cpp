@@ -12,8 +12,8 @@
 #include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
 #include "core/evaluate/evaluation_test.hpp"
-#include "reference/companion/pole.hpp"
-#include "reference/length/length_along.hpp"
+#include "reference/companion/exact_roots.hpp"
+#include "reference/length/length_truth.hpp"
 
 namespace bezierbench {
 namespace {

@@ -8,7 +8,7 @@
 #include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
-#include "reference/length/length_along.hpp"
+#include "reference/length/length_truth.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {

@@ -12,7 +12,6 @@
 #include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/metric/derivative_scale.hpp"
 #include "reference/companion/bspline_control_points.hpp"
-#include "reference/companion/exact_bspline.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "experiments/cli/curve/curve_command.hpp"
-#include "reference/companion/exact_control_points.hpp"
+#include "reference/companion/exact_split.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {

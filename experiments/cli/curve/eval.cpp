@@ -5,7 +5,7 @@
 #include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/workspace.hpp"
-#include "reference/error/coordinate_error.hpp"
+#include "reference/error/trial_scale.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/number/number.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "core/flatten/kernel.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
-#include "reference/companion/least_chords.hpp"
+#include "reference/companion/chord_distance.hpp"
 #include "reference/curves/curve_set.hpp"
 #include "reference/number/number.hpp"
 

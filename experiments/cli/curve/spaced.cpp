@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `curve spaced`: points at equal lengths along a curve or a path, each the nearest double to the true one.
 #include "experiments/cli/curve/curve_command.hpp"
-#include "reference/length/length_along.hpp"
+#include "reference/length/length_truth.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {

@@ -31,7 +31,7 @@
 #include <opencascade/XSControl_WorkSession.hxx>
 
 #include "experiments/peers/models.hpp"
-#include "reference/companion/exact_bspline.hpp"
+#include "reference/companion/bspline_control_points.hpp"
 
 namespace bezierbench::peers {
 namespace {

@@ -15,7 +15,7 @@
 #include "experiments/metric/counts.hpp"
 #include "experiments/studies/promises.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
-#include "reference/companion/pole.hpp"
+#include "reference/companion/exact_roots.hpp"
 #include "reference/length/length_truth.hpp"
 
 namespace bezierbench::studies {

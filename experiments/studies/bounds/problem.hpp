@@ -14,7 +14,7 @@
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
-#include "reference/companion/exact_range.hpp"
+#include "reference/companion/exact_roots.hpp"
 
 namespace bezierbench::studies {
 

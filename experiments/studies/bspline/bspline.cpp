@@ -9,7 +9,7 @@
 
 #include "experiments/studies/bspline/problem.hpp"
 #include "experiments/studies/trial/companion_kind.hpp"
-#include "reference/companion/exact_bspline.hpp"
+#include "reference/companion/bspline_control_points.hpp"
 #include "reference/error/norm.hpp"
 #include "reference/error/trial_scale.hpp"
 

@@ -22,7 +22,6 @@
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/validate.hpp"
 #include "reference/companion/easing.hpp"
-#include "reference/companion/float_easing.hpp"
 
 namespace bezierbench::studies {
 namespace {

@@ -13,7 +13,7 @@
 #include "experiments/studies/fitting/problem.hpp"
 #include "experiments/studies/trial/companion_kind.hpp"
 #include "experiments/suite/kind.hpp"
-#include "reference/companion/fit_distance.hpp"
+#include "reference/companion/polyline_departure.hpp"
 #include "reference/error/norm.hpp"
 
 namespace bezierbench::studies {

@@ -16,7 +16,6 @@
 #include "experiments/metric/counts.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
 #include "reference/companion/chord_distance.hpp"
-#include "reference/companion/least_chords.hpp"
 
 namespace bezierbench::studies {
 

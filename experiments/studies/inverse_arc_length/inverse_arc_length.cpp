@@ -10,9 +10,9 @@
 #include "experiments/studies/inverse_arc_length/problem.hpp"
 #include "experiments/studies/trial/companion_kind.hpp"
 #include "experiments/suite/kind.hpp"
-#include "reference/companion/pole.hpp"
+#include "reference/companion/exact_roots.hpp"
 #include "reference/exact_curve.hpp"
-#include "reference/length/length_along.hpp"
+#include "reference/length/length_truth.hpp"
 #include "reference/rational.hpp"
 
 namespace bezierbench::studies {

@@ -28,7 +28,7 @@
 #include "experiments/run/job.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
 #include "experiments/tables/cell_fields.hpp"
-#include "reference/length/length_panels.hpp"
+#include "reference/length/true_length.hpp"
 
 namespace bezierbench::studies {
 
