@@ -645,52 +645,6 @@ TEST(C, ParametersAreThoseOfTheLength) {
   EXPECT_EQ(bb_at_length("bracketed_newton", &curve, 0.5, 0, &found), BB_ERROR_TOLERANCE);
 }
 
-/// Against the true errors of points in float.
-TEST(C, BoundsInFloatHoldThere) {
-  const std::array<float, 6> b{0.1F, 0.3F, 1.7F, 2.1F, 3.3F, 0.7F};
-  const std::array<double, 6> same({b[0], b[1], b[2], b[3], b[4], b[5]});
-  const bb_curve curve{BB_BERNSTEIN, 2, 2, same.data(), nullptr};
-  const std::array<float, 3> t{0.125F, 0.3F, 0.9F};
-  const std::array<double, 3> at{t[0], t[1], t[2]};
-  int judged = 0;
-  for (const auto& method : methods("evaluation")) {
-    if (method.form != BB_BERNSTEIN) continue;
-    std::array<bb_bound, 6> in_float{};
-    const int status = bb_bound_float(method.id, 2, 2, b.data(), t.data(), 3, in_float.data());
-    ASSERT_EQ(status, std::string(method.bound).empty() ? BB_ERROR_NO_BOUND : BB_OK) << method.id;
-    if (status != BB_OK) continue;
-    std::array<float, 6> points_in_float{};
-    ASSERT_EQ(bb_evaluate_float(method.id, 2, 2, b.data(), t.data(), 3, points_in_float.data()), BB_OK);
-    const std::vector<double> values(points_in_float.begin(), points_in_float.end());
-    std::array<bb_error, 6> errors{};
-    ASSERT_EQ(bb_curve_error(&curve, at.data(), 3, values.data(), errors.data()), BB_OK);
-    for (std::size_t k = 0; k < errors.size(); ++k) {
-      EXPECT_LE(errors[k].error, in_float[k].bound) << method.id;
-      EXPECT_LE(in_float[k].bound, 1e-3) << method.id;
-      ++judged;
-    }
-  }
-  EXPECT_GT(judged, 60);
-}
-
-/// A null method is the recommended one.
-TEST(C, ANullMethodIsTheRecommendedOne) {
-  EXPECT_EQ(bb_recommended(3, 2, 0), nullptr);
-  EXPECT_EQ(bb_recommended(BB_BERNSTEIN, -1, 0), nullptr);
-  for (const int degree : {1, 2, 3, 12}) {
-    std::vector<double> b;
-    for (int i = 0; i <= degree; ++i) b.push_back(1 / (i + 0.7));
-    const std::array<double, 3> t{0.1, 0.61, 1.7};
-    std::array<double, 3> by_default{};
-    std::array<double, 3> named{};
-    ASSERT_EQ(bb_evaluate(nullptr, 1, degree, b.data(), t.data(), t.size(), by_default.data()), BB_OK);
-    ASSERT_EQ(
-        bb_evaluate(bb_recommended(BB_BERNSTEIN, degree, 0), 1, degree, b.data(), t.data(), t.size(), named.data()),
-        BB_OK);
-    EXPECT_EQ(by_default, named);
-  }
-}
-
 TEST(C, WhatIsWrongIsRefusedAndNothingIsWritten) {
   const double t = 0.5;
   double out = 7;
@@ -718,6 +672,8 @@ TEST(C, WhatIsWrongIsRefusedAndNothingIsWritten) {
   EXPECT_EQ(bb_evaluate("de_casteljau", 1, 2, b, nullptr, 0, nullptr), BB_OK);  // no points are fine
   bb_method method;
   EXPECT_EQ(bb_method_at(bb_method_count(), &method), BB_ERROR_COUNT);
+  EXPECT_EQ(bb_recommended(3, 2, 0), nullptr);
+  EXPECT_EQ(bb_recommended(BB_BERNSTEIN, -1, 0), nullptr);
 }
 
 TEST(C, CurvesAreChecked) {

@@ -446,27 +446,6 @@ class Problems(unittest.TestCase):
         problems = {method.problem for method in bezierbench.methods()}
         self.assertEqual(problems, {"evaluation", "derivative", "grid", "subdivision", "arc_length", "inverse_arc_length", "projection",
                                     "fitting", "flattening", "bounds", "easing", "bspline"})
-        for method in bezierbench.methods("derivative", "bernstein"):
-            bezierbench.derivative(CURVE, 0.5, 1, method.id)
-        for method in bezierbench.methods("grid", "bernstein"):
-            bezierbench.grid(CURVE, 5, method.id)
-        for method in bezierbench.methods("flattening"):
-            if method.min_degree <= 2 <= method.max_degree:
-                bezierbench.flatten(CURVE, 0.01, method.id, weights=[1, 1, 1] if method.form == "rational" else None)
-        for method in bezierbench.methods("subdivision", "bernstein"):
-            bezierbench.split(CURVE, 0.5, method.id)
-        for method in bezierbench.methods("bounds", "bernstein"):
-            bezierbench.box(CURVE, method.id)
-        for method in bezierbench.methods("easing"):
-            self.assertAlmostEqual(float(bezierbench.ease((0.42, 0, 0.58, 1), 0.5, method.id)), 0.5, 6)
-        for method in bezierbench.methods("inverse_arc_length"):
-            bezierbench.at_length(CURVE, 1, method.id)
-        for method in bezierbench.methods("evaluation", "bernstein"):
-            bezierbench.evaluate(CURVE, 0.5, method.id)
-        for method in bezierbench.methods("arc_length"):
-            bezierbench.arc_length(CURVE, method.id)
-        for method in bezierbench.methods("fitting"):
-            bezierbench.fit(CURVE, 0.1, method.id)
 
 
 class CurveFiles(unittest.TestCase):

@@ -30,30 +30,6 @@ std::string replaced(std::string text, const std::string& old, const std::string
   return text.replace(text.find(old), old.size(), fresh);
 }
 
-TEST(Results, TheSameAreIdentical) {
-  const auto a = side_of("a", {{"accuracy.csv", accuracy}, {"worst.csv", worst}});
-  const auto comparison = compare_sides(a, a);
-  EXPECT_EQ(comparison.results.size(), 4U);
-  EXPECT_TRUE(comparison.differing().empty());
-  EXPECT_EQ(comparison.results.front().verdict, identical);
-  EXPECT_EQ(comparison.results.front().column, "max_error");
-  EXPECT_EQ(comparison.results.front().a, "3e-17");
-}
-
-TEST(Results, OneBitIsFoundWithBothValuesAndItsWorstInput) {
-  const auto a = side_of("a", {{"accuracy.csv", accuracy}, {"worst.csv", worst}});
-  const auto b =
-      side_of("b", {{"accuracy.csv", replaced(accuracy, "4e-17", "4.000000000000001e-17")}, {"worst.csv", worst}});
-  const auto comparison = compare_sides(a, b);
-  ASSERT_EQ(comparison.differing().size(), 1U);
-  const auto& row = *comparison.differing().front();
-  EXPECT_EQ(row.inputs.field("method"), "direct");
-  EXPECT_EQ(row.column, "max_error");
-  EXPECT_EQ(row.a, "4e-17");
-  EXPECT_EQ(row.b, "4.000000000000001e-17");
-  EXPECT_EQ(recorded_input(b, row.inputs), "w2");
-}
-
 TEST(Results, RowsOfOneSideAreListedNotJudged) {
   const auto a = side_of("a", {{"accuracy.csv", accuracy}});
   const auto b = side_of("b", {{"accuracy.csv", std::string(accuracy) + "s,estrin,3,10,ok,0,0\n"},
@@ -77,22 +53,6 @@ TEST(Results, OtherTrialsOrAnotherSeedAreOtherInputs) {
   EXPECT_TRUE(compare_sides(a, seeded).results.empty());
 }
 
-TEST(Results, AColumnThatOneSideLacksIsNotCompared) {
-  const auto a = side_of("a", {{"accuracy.csv", "study,method,max_error\ns,direct,1\n"}});
-  const auto b = side_of("b", {{"accuracy.csv", "study,method,max_error,unbounded_trials\ns,direct,1,0\n"}});
-  EXPECT_EQ(compare_sides(a, b).results.size(), 1U);
-  EXPECT_TRUE(compare_sides(a, b).differing().empty());
-}
-
-// The worst of 20 trials is not the worst of 10, and worst.csv does not say how many trials there were.
-TEST(Results, OfDifferentSuitesRowsWithoutTrialsAreLeftOut) {
-  const auto a = side_of("a", {{"accuracy.csv", accuracy}, {"worst.csv", worst}});
-  auto b = a;
-  b.manifest.suite_digest = "another";
-  EXPECT_EQ(compare_sides(a, b).results.size(), 2U);
-  EXPECT_THAT(compare_sides(a, b).left_out, testing::ElementsAre("worst.csv"));
-}
-
 /// The rows that differ; `a` and `b` are rows of study, method, degree, mean and largest error.
 std::vector<Row> differing(const std::string& a, const std::string& b) {
   const std::string header = "study,method,degree,mean_error,max_error_u\n";
@@ -102,14 +62,6 @@ std::vector<Row> differing(const std::string& a, const std::string& b) {
   std::vector<Row> rows;
   for (const auto* row : comparison.differing()) rows.push_back(*row);
   return rows;
-}
-
-TEST(Results, TheLargestGrowthIsTheFirst) {
-  const auto rows = differing("s,x,3,1,2\ns,y,4,1,2\ns,z,3,1,2\n", "s,x,3,1,3\ns,y,4,1,8\ns,z,3,1,2\n");
-  ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(rows[0].inputs.field("method"), "y");
-  EXPECT_EQ(rows[0].growth(), 4);
-  EXPECT_EQ(rows[1].inputs.field("method"), "x");
 }
 
 TEST(Results, ShowTheLargestErrorIfItDiffers) {

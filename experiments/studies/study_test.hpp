@@ -4,13 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "experiments/failure.hpp"
 #include "experiments/run/job_test.hpp"
+#include "experiments/sample/curve_slice.hpp"
 #include "experiments/studies/roster.hpp"
+#include "reference/curves/read.hpp"
 
 namespace bezierbench::studies {
 
@@ -21,6 +26,18 @@ inline suite::Study small_study(std::string_view kind_id, std::vector<std::strin
   study.kind = &kind(kind_id);
   study.methods = std::move(methods);
   return study;
+}
+
+/// Takes some curves of the shipped set `named`.
+inline void take_named(suite::Study& study, const std::vector<std::string>& ids) {
+  const std::string name = BEZIERBENCH_SOURCE_DIR "/reference/curves/sets/named.csv";
+  std::ifstream file(name);
+  const auto all = curves::read(std::string(std::istreambuf_iterator<char>(file), {}), name).set;
+  auto set = std::make_shared<sample::LoadedSet>();
+  set->id = "named";
+  for (const auto& id : ids) set->curves.add(id, all[all.find(id)]);
+  study.curves = {"named"};
+  study.sets = {set};
 }
 
 /// The rows of a file that the study writes; no promise and no bound is broken.

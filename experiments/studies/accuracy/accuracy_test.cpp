@@ -203,18 +203,6 @@ TEST(Accuracy, RationalCurvesKeepTheirBounds) {
   EXPECT_GT(bounded, csv.row_count() / 2);
 }
 
-TEST(Accuracy, RefusesAMethodOfTheOtherForm) {
-  auto study = small_accuracy_study();
-  study.methods = {"horner"};
-  try {
-    make_job(study, {1});
-    FAIL() << "accepted";
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.exit(), Exit::usage);
-    EXPECT_NE(std::string(failure.what()).find("horner"), std::string::npos);
-  }
-}
-
 /// wozny_chudy_positive has a bound for t in [0,1] only, the degree and range of double allow every one.
 TEST(Accuracy, CountsTrialsWithoutABound) {
   auto study = small_accuracy_study();

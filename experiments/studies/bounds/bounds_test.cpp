@@ -7,21 +7,17 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/failure.hpp"
 #include "experiments/judge/input_fields.hpp"
-#include "experiments/run/job_test.hpp"
 #include "experiments/studies/bounds/problem.hpp"
-#include "experiments/studies/roster.hpp"
+#include "experiments/studies/study_test.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
 suite::Study small_bounds_study() {
-  suite::Study study;
-  study.id = "small";
-  study.kind = &kind("bounds");
+  auto study = small_study("bounds");
   study.degree = {1, 3, 6};
-  study.trials = 400;  // two blocks, the last one short
+  study.trials = 400;
   return study;
 }
 
@@ -30,20 +26,6 @@ suite::Study rational_bounds_study() {
   study.form = Form::rational;
   study.generator = {"weights_wild"};
   return study;
-}
-
-bundle::CsvDocument bounds_rows_of(const suite::Study& study) {
-  const auto job = make_job(study, {1});
-  run::run_all(*job);
-  EXPECT_TRUE(job->violations().empty());
-  return bundle::parse_csv(run::text_of(*job).at("bounds.csv"), "bounds.csv");
-}
-
-TEST(BoundsStudy, OrderAndInterruptionsChangeNoByte) {
-  for (const auto& study : {small_bounds_study(), rational_bounds_study()}) {
-    const auto files = run::expect_order_changes_nothing(make_job, study);
-    EXPECT_EQ(make_job(study, {1})->extent().rows, bundle::parse_csv(files.at("bounds.csv"), "bounds.csv").row_count());
-  }
 }
 
 TEST(BoundsStudy, SidesCountDoubles) {
@@ -59,7 +41,7 @@ TEST(BoundsStudy, SidesCountDoubles) {
 
 TEST(BoundsStudy, ProvedBoxesContainAndFloatingPointExtremaDoNot) {
   for (const auto& study : {small_bounds_study(), rational_bounds_study()}) {
-    const auto csv = bounds_rows_of(study);
+    const auto csv = rows_of(study, "bounds.csv");
     for (std::size_t row = 0; row < csv.row_count(); ++row) {
       const auto& method = csv.at(row, "method");
       if (csv.at(row, "status") != "ok") continue;
@@ -78,7 +60,7 @@ TEST(BoundsStudy, ARefutationCanBeReplayed) {
   auto study = small_bounds_study();
   study.methods = {"quadratic_formula_box"};
   study.degree = {3};
-  const auto csv = bounds_rows_of(study);
+  const auto csv = rows_of(study, "bounds.csv");
   ASSERT_EQ(csv.row_count(), 1U);
   sample::Cell cell;
   cell.degree = 3;
@@ -151,15 +133,6 @@ TEST(BoundsStudy, ExtremaAndMarginOfOpenJdkLosePoints) {
     EXPECT_FALSE(is_too_small(proved, overshoot));
     EXPECT_FALSE(is_too_small(proved, graded));
   }
-}
-
-TEST(BoundsStudy, RefusesWhatItCannotDo) {
-  auto power = small_bounds_study();
-  power.form = Form::power;
-  EXPECT_THROW(make_job(power, {1}), Failure);
-  auto single = small_bounds_study();
-  single.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(make_job(single, {1}), Failure);
 }
 
 }  // namespace

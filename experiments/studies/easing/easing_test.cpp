@@ -2,59 +2,27 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
-#include <memory>
 
 #include "core/easing/kernel.hpp"
-#include "experiments/failure.hpp"
-#include "experiments/run/job_test.hpp"
-#include "experiments/sample/curve_slice.hpp"
 #include "experiments/studies/easing/problem.hpp"
-#include "experiments/studies/roster.hpp"
-#include "reference/curves/read.hpp"
+#include "experiments/studies/study_test.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
 suite::Study small_easing_study() {
-  suite::Study study;
-  study.id = "small";
-  study.kind = &kind("easing");
+  auto study = small_study("easing");
   study.degree = {3};
-  study.trials = 80;  // two blocks, the last one short
+  study.trials = 80;
   return study;
-}
-
-/// Curves of the shipped set `named`.
-void take_easings(suite::Study& study, const std::vector<std::string>& ids) {
-  const std::string name = BEZIERBENCH_SOURCE_DIR "/reference/curves/sets/named.csv";
-  std::ifstream file(name);
-  const auto all = curves::read(std::string(std::istreambuf_iterator<char>(file), {}), name).set;
-  auto set = std::make_shared<sample::LoadedSet>();
-  set->id = "named";
-  for (const auto& id : ids) set->curves.add(id, all[all.find(id)]);
-  study.curves = {"named"};
-  study.sets = {set};
-}
-
-bundle::CsvDocument easing_table_of(const suite::Study& study, const std::string& file) {
-  const auto job = make_job(study, {1});
-  run::run_all(*job);
-  EXPECT_TRUE(job->violations().empty());
-  return bundle::parse_csv(run::text_of(*job).at(file), file);
-}
-
-TEST(EasingStudy, OrderAndInterruptionsChangeNoByte) {
-  (void)run::expect_order_changes_nothing(make_job, small_easing_study());
 }
 
 TEST(EasingStudy, OnlyTheCorrectlyRoundedMethodMisroundsNothing) {
   for (const auto* generator : {"continuous", "integer"}) {
     auto study = small_easing_study();
     study.generator = {generator};
-    const auto csv = easing_table_of(study, "easing.csv");
+    const auto csv = rows_of(study, "easing.csv");
     ASSERT_EQ(csv.row_count(), 5U);
     for (std::size_t row = 0; row < csv.row_count(); ++row) {
       const bool is_exact = csv.at(row, "method") == "easing_correctly_rounded";
@@ -117,27 +85,17 @@ TEST(EasingStudy, AMethodThatLeavesTheLinesIsCounted) {
 }
 
 TEST(EasingStudy, RefusesWhatIsNoEasingCurve) {
-  auto study = small_easing_study();
-  study.form = Form::power;
-  EXPECT_THROW(make_job(study, {1}), Failure);
-  study = small_easing_study();
-  study.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(make_job(study, {1}), Failure);
-  suite::Study floats;
-  floats.id = "floats";
-  floats.kind = &kind("easing_floats");
-  take_easings(floats, {"wilkinson_3"});
+  auto floats = small_study("easing_floats");
+  take_named(floats, {"wilkinson_3"});
   EXPECT_THROW(make_job(floats, {1}), Failure);
 }
 
 /// What the rows of easing_floats.csv say, from integers.
 TEST(EasingFloats, RowsAreWhatTheIntegersSay) {
-  suite::Study study;
-  study.id = "every";
-  study.kind = &kind("easing_floats");
+  auto study = small_study("easing_floats");
   study.t_interval = {{0x1.fffp-2, 0x1.001p-1}};
-  take_easings(study, {"css_ease", "easing_1_0_0_1"});
-  const auto csv = easing_table_of(study, "easing_floats.csv");
+  take_named(study, {"css_ease", "easing_1_0_0_1"});
+  const auto csv = rows_of(study, "easing_floats.csv");
   ASSERT_EQ(csv.row_count(), 10U);
   const std::map<std::string, EasingCurve<float>, std::less<>> curves{{"css_ease", {0.25F, 0.1F, 0.25F, 1}},
                                                                       {"easing_1_0_0_1", {1, 0, 0, 1}}};

@@ -3,18 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
-#include <memory>
 
 #include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/judge/workspace.hpp"
-#include "experiments/sample/curve_slice.hpp"
 #include "experiments/studies/exhaustive/float_curve.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
 #include "experiments/studies/study_test.hpp"
-#include "reference/curves/read.hpp"
 #include "reference/exact_curve.hpp"
 
 namespace bezierbench::studies {
@@ -23,18 +18,6 @@ namespace {
 /// A few thousand floats around 1/2, so that integers can judge them all.
 const suite::Interval few{0x1.ffap-2, 0x1.001p-1};
 
-/// Some curves of the shipped set `named`.
-void take(suite::Study& study, const std::vector<std::string>& ids) {
-  const std::string name = BEZIERBENCH_SOURCE_DIR "/reference/curves/sets/named.csv";
-  std::ifstream file(name);
-  const auto all = curves::read(std::string(std::istreambuf_iterator<char>(file), {}), name).set;
-  auto set = std::make_shared<sample::LoadedSet>();
-  set->id = "named";
-  for (const auto& id : ids) set->curves.add(id, all[all.find(id)]);
-  study.curves = {"named"};
-  study.sets = {set};
-}
-
 FloatCurve curve_of(const suite::Study& study, std::string_view id) {
   const auto& set = *study.sets.front();
   return {set.id, id, set.curves[set.curves.find(id)]};
@@ -42,7 +25,7 @@ FloatCurve curve_of(const suite::Study& study, std::string_view id) {
 
 suite::Study small_exhaustive_study() {
   auto study = small_study("exhaustive");
-  take(study, {"glyph_tail", "wilkinson_3"});
+  take_named(study, {"glyph_tail", "wilkinson_3"});
   study.methods = {"de_casteljau", "de_casteljau_lerp", "differences:horner", "correctly_rounded"};
   study.t_interval = {few};
   return study;
@@ -121,7 +104,7 @@ TEST(Exhaustive, RowsAreWhatTheIntegersSay) {
 /// More than one block, the last shorter: the steps between blocks count, and every point once.
 TEST(Exhaustive, BlocksChangeNothing) {
   auto study = small_exhaustive_study();
-  take(study, {"hermite_value_1"});
+  take_named(study, {"hermite_value_1"});
   study.methods = {"horner_bernstein"};
   study.t_interval = {{0x1p-2, 0x1.8p-1}};
   const auto job = make_job(study, {1});
@@ -140,9 +123,9 @@ TEST(Exhaustive, BlocksChangeNothing) {
 
 TEST(Exhaustive, RefusesSetsWithoutBezierCurvesAndEmptyIntervals) {
   auto study = small_exhaustive_study();
-  take(study, {});
+  take_named(study, {});
   EXPECT_THROW(make_job(study, {1}), Failure);
-  take(study, {"css_ease"});
+  take_named(study, {"css_ease"});
   study.t_interval = {{0.1, 0.1}};
   EXPECT_THROW(make_job(study, {1}), Failure);
 }

@@ -3,35 +3,18 @@
 
 #include <algorithm>
 
-#include "experiments/failure.hpp"
-#include "experiments/run/job_test.hpp"
 #include "experiments/studies/flattening/problem.hpp"
-#include "experiments/studies/roster.hpp"
+#include "experiments/studies/study_test.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
-suite::Study small_flattening_study() {
-  suite::Study study;
-  study.id = "small";
-  study.kind = &kind("flattening");
+TEST(FlatteningStudy, CountsNoFewerChordsThanTheLeastWhereTheToleranceIsKept) {
+  auto study = small_study("flattening");
   study.degree = {2, 3};
   study.tolerance = {0.1, 1e-3};
-  study.trials = 20;  // two blocks, the last one short
-  return study;
-}
-
-TEST(FlatteningStudy, OrderAndInterruptionsChangeNoByte) {
-  auto study = small_flattening_study();
-  study.methods = {"equal_errors", "halving_area"};
-  run::expect_order_changes_nothing(make_job, study);
-}
-
-TEST(FlatteningStudy, CountsNoFewerChordsThanTheLeastWhereTheToleranceIsKept) {
-  const auto job = make_job(small_flattening_study(), {1});
-  run::run_all(*job);
-  EXPECT_TRUE(job->violations().empty());
-  const auto csv = bundle::parse_csv(run::text_of(*job).at("flattening.csv"), "flattening.csv");
+  study.trials = 20;
+  const auto csv = rows_of(study, "flattening.csv");
   const auto polynomial =
       std::ranges::count(flatten_kernels(2), Form::bernstein, [](auto& one) { return one.info->form; });
   ASSERT_EQ(csv.row_count(), 2 * 2 * static_cast<std::size_t>(polynomial));
@@ -110,18 +93,6 @@ TEST_F(JudgedParabola, ChordsThatDoNotLeadFromEndToEndAreMalformed) {
   chords.points.back() = 0;
   chords.t = {0, 0.5, 0.25, 1};
   EXPECT_EQ(judged(chords).malformed.count, 1U);
-}
-
-TEST(FlatteningStudy, RefusesWhatItDoesNotJudge) {
-  auto study = small_flattening_study();
-  study.form = Form::power;
-  EXPECT_THROW(make_job(study, {1}), Failure);
-  study = small_flattening_study();
-  study.degree = {0};
-  EXPECT_THROW(make_job(study, {1}), Failure);
-  study = small_flattening_study();
-  study.scalar = {suite::ScalarKind::float32};
-  EXPECT_THROW(make_job(study, {1}), Failure);
 }
 
 }  // namespace

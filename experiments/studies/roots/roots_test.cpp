@@ -4,39 +4,13 @@
 #include <limits>
 #include <vector>
 
-#include "experiments/failure.hpp"
-#include "experiments/run/job_test.hpp"
 #include "experiments/studies/roots/problem.hpp"
-#include "experiments/studies/roster.hpp"
+#include "experiments/studies/study_test.hpp"
 
 namespace bezierbench::studies {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-suite::Study small_roots_study() {
-  suite::Study study;
-  study.id = "small";
-  study.kind = &kind("roots");
-  study.degree = {1, 3, 6};
-  study.trials = 300;  // two blocks, the last one short
-  return study;
-}
-
-bundle::CsvDocument roots_rows_of(const suite::Study& study) {
-  const auto job = make_job(study, {1});
-  run::run_all(*job);
-  EXPECT_TRUE(job->violations().empty());
-  return bundle::parse_csv(run::text_of(*job).at("roots.csv"), "roots.csv");
-}
-
-TEST(RootsStudy, OrderAndInterruptionsChangeNoByte) {
-  const auto study = small_roots_study();
-  const auto files = run::expect_order_changes_nothing(make_job, study);
-  EXPECT_EQ(make_job(study, {1})->extent().rows,
-            bundle::parse_csv(files.at("roots.csv"), "roots.csv").row_count() +
-                bundle::parse_csv(files.at("roots_unstable.csv"), "roots_unstable.csv").row_count());
-}
 
 TEST(RootsStudy, AnswersBelongToTheNearestRoot) {
   const std::vector<reference::Root> roots{{0.25, 1}, {0.5, 2}, {0.75, 1}};
@@ -78,12 +52,12 @@ TEST(RootsStudy, APromiseIsJudged) {
 
 /// The root of (t - 3/4)^n counts once, whatever its multiplicity.
 TEST(RootsStudy, MultipleRootsAreCountedOnce) {
-  auto study = small_roots_study();
+  auto study = small_study("roots");
   study.dimension = {1};
   study.degree = {2, 3};
   study.generator = {"multiple_root"};
   study.trials = 1;
-  const auto csv = roots_rows_of(study);
+  const auto csv = rows_of(study, "roots.csv");
   for (std::size_t row = 0; row < csv.row_count(); ++row) {
     EXPECT_EQ(csv.at(row, "polynomials"), "1");
     EXPECT_EQ(csv.at(row, "roots"), "1");
@@ -95,12 +69,6 @@ TEST(RootsStudy, MultipleRootsAreCountedOnce) {
       EXPECT_EQ(csv.at(row, "missed"), "0");
     }
   }
-}
-
-TEST(RootsStudy, RefusesWhatItCannotDo) {
-  auto power = small_roots_study();
-  power.form = Form::power;
-  EXPECT_THROW(make_job(power, {1}), Failure);
 }
 
 }  // namespace

@@ -148,10 +148,6 @@ TEST(TrialStudy, HasARowForEachPartToleranceAndMethod) {
   }
 }
 
-TEST(TrialStudy, OrderAndInterruptionsChangeNoByte) {
-  run::expect_order_changes_nothing(trial_job<CountedProblem>, small_study());
-}
-
 TEST(TrialStudy, SaysWhatFailedAndWhereFirst) {
   auto study = small_study();
   study.trials = 20;
@@ -180,12 +176,6 @@ TEST(TrialStudy, LeavesOutWhatTheMethodsDoNotTake) {
   ASSERT_EQ(csv.row_count(), 4U);
   EXPECT_EQ(csv.at(0, "status"), "degree_unsupported");
   EXPECT_EQ(csv.at(0, "broken_promises"), "");
-}
-
-TEST(TrialStudy, RefusesMethodsOfAnotherForm) {
-  auto study = small_study();
-  study.form = Form::power;
-  EXPECT_THROW(trial_job<CountedProblem>(study, {1}), Failure);
 }
 
 TEST(TrialStudy, SaysWhichTrialHasNoCertainTruth) {
