@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bindings/c/chosen.hpp"
+#include "bindings/c/curve.hpp"
 #include "core/arc_length/inverse/kernel.hpp"
 #include "core/arc_length/kernel.hpp"
 #include "reference/companion/exact_roots.hpp"

@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/c/chosen.hpp"
-#include "bindings/c/curves.hpp"
+#include "bindings/c/curve.hpp"
 #include "core/bspline/kernel.hpp"
 #include "reference/companion/bspline_control_points.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bindings/c/chosen.hpp"
+#include "bindings/c/curve.hpp"
 #include "bindings/c/more_axes.hpp"
 #include "core/bounds/kernel.hpp"
 #include "core/derivative/kernel.hpp"

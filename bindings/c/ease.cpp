@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Easing curves: y for x by a method, and the true y.
-#include "bindings/c/chosen.hpp"
+#include "bindings/c/curve.hpp"
 #include "core/easing/kernel.hpp"
 #include "core/easing/roster.hpp"
 #include "reference/companion/easing.hpp"

@@ -2,7 +2,7 @@
 // Points by a method.
 #include <limits>
 
-#include "bindings/c/chosen.hpp"
+#include "bindings/c/curve.hpp"
 #include "bindings/c/evaluation.hpp"
 #include "bindings/c/more_axes.hpp"
 #include "core/evaluate/kernel/prepared_state.hpp"

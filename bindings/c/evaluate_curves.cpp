@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "bindings/c/chosen.hpp"
+#include "bindings/c/curve.hpp"
 #include "bindings/c/evaluation.hpp"
 
 using namespace bezierbench;

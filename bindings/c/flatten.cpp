@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bindings/c/chosen.hpp"
+#include "bindings/c/curve.hpp"
 #include "core/flatten/kernel.hpp"
 #include "reference/companion/exact_roots.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Projections by a method, true ones, and errors.
-#include "bindings/c/chosen.hpp"
+#include "bindings/c/curve.hpp"
 #include "core/project/kernel.hpp"
 #include "reference/companion/exact_roots.hpp"
 #include "reference/companion/projection.hpp"

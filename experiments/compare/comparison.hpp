@@ -11,7 +11,6 @@
 
 #include "experiments/bundle/csv.hpp"
 #include "experiments/compare/join.hpp"
-#include "experiments/compare/side.hpp"
 #include "experiments/metric/order_statistics.hpp"
 
 namespace bezierbench::compare {

@@ -10,7 +10,6 @@
 
 #include "core/evaluate/guarantee.hpp"
 #include "experiments/guarantees/draws.hpp"
-#include "experiments/guarantees/shrink.hpp"
 
 namespace bezierbench::guarantees {
 namespace {

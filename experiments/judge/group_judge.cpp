@@ -12,8 +12,8 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/trial_inputs.hpp"
-#include "experiments/metric/error_units.hpp"
 #include "experiments/metric/scale_lanes.hpp"
+#include "experiments/metric/tally.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/true_point.hpp"
 

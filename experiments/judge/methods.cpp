@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -13,7 +14,9 @@
 #include "core/project/kernel.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/peers/peers.hpp"
+#include "experiments/sample/draw.hpp"
 #include "experiments/suite/ids.hpp"
+#include "experiments/suite/kind.hpp"
 #include "experiments/suite/suite.hpp"
 #include "experiments/suite/validate.hpp"
 #include "reference/exact_point.hpp"
@@ -138,5 +141,26 @@ std::vector<const Kernel<Scalar>*> chosen_kernels(const suite::Study& study, con
 
 template std::vector<const Kernel<float>*> chosen_kernels<float>(const suite::Study&, const sample::Cell&);
 template std::vector<const Kernel<double>*> chosen_kernels<double>(const suite::Study&, const sample::Cell&);
+
+namespace {
+
+const std::vector<suite::KnownGenerator>& known_generators() {
+  static const auto all = [] {
+    std::vector<suite::KnownGenerator> known;
+    for (const auto& generator : sample::generators()) known.push_back({std::string(generator.id), generator.limits});
+    return known;
+  }();
+  return all;
+}
+
+}  // namespace
+
+void check_inputs(const suite::Study& study) {
+  if (const auto fault = suite::check_inputs(study, known_generators())) suite::refuse(study, *fault);
+}
+
+void check_timed(const suite::Study& study, const suite::Kind& judged) {
+  if (const auto fault = suite::check_timed(study, judged, known_generators())) suite::refuse(study, *fault);
+}
 
 }  // namespace bezierbench::judge

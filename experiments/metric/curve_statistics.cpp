@@ -9,8 +9,8 @@
 #include <map>
 #include <tuple>
 
-#include "experiments/metric/error_units.hpp"
 #include "experiments/metric/order_statistics.hpp"
+#include "experiments/metric/tally.hpp"
 
 namespace bezierbench::metric {
 namespace {

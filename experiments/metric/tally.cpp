@@ -10,6 +10,7 @@
 #include "reference/rational.hpp"
 
 namespace bezierbench::metric {
+
 namespace {
 
 constexpr int precision = 24;
@@ -186,6 +187,21 @@ void Tally::load(number::ByteReader& bytes) {
       bin += gap;
     }
   }
+}
+
+double size_of(const CurveView<double>& curve, double scale) {
+  if (curve.form == Form::power) return 0;
+  double size = 0;
+  for (int axis = 0; axis < curve.dimension; ++axis) {
+    double low = curve(axis, 0);
+    double high = low;
+    for (int i = 1; i <= curve.degree; ++i) {
+      low = std::min(low, curve(axis, i));
+      high = std::max(high, curve(axis, i));
+    }
+    size = std::max(size, scale * high - scale * low);
+  }
+  return size;
 }
 
 }  // namespace bezierbench::metric

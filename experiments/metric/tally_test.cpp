@@ -8,7 +8,6 @@
 #include <limits>
 #include <random>
 
-#include "experiments/metric/error_units.hpp"
 #include "experiments/number/bytes.hpp"
 
 namespace bezierbench::metric {

@@ -12,10 +12,8 @@
 #include <set>
 #include <type_traits>
 
-#include "experiments/metric/error_units.hpp"
-#include "experiments/race/page_vector.hpp"
+#include "experiments/metric/tally.hpp"
 #include "experiments/race/rounds.hpp"
-#include "experiments/race/timed_check.hpp"
 #include "experiments/requirements/seeded_curves.hpp"
 
 namespace bezierbench::race {

@@ -10,8 +10,6 @@
 #include <optional>
 #include <utility>
 
-#include "experiments/race/page_vector.hpp"
-
 namespace bezierbench::race {
 namespace {
 

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "experiments/judge/methods.hpp"
-#include "experiments/judge/study_inputs.hpp"
 #include "experiments/suite/ids.hpp"
 
 namespace bezierbench::studies {

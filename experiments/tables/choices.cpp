@@ -6,7 +6,7 @@
 #include <map>
 
 #include "experiments/metric/pareto.hpp"
-#include "experiments/tables/cell_fields.hpp"
+#include "experiments/tables/tables.hpp"
 
 namespace bezierbench::tables {
 namespace {

@@ -4,9 +4,8 @@
 #include <map>
 #include <vector>
 
-#include "experiments/metric/error_units.hpp"
+#include "experiments/metric/tally.hpp"
 #include "experiments/suite/suite.hpp"
-#include "experiments/tables/cell_fields.hpp"
 #include "experiments/tables/table_row.hpp"
 #include "experiments/tables/tables.hpp"
 #include "reference/error/trial_scale.hpp"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "experiments/metric/error_units.hpp"
+#include "experiments/metric/tally.hpp"
 #include "experiments/tables/tables.hpp"
 
 namespace bezierbench::tables {

@@ -12,7 +12,7 @@
 #include "experiments/bundle/bundle.hpp"
 #include "experiments/cli/check/report.hpp"
 #include "experiments/cli/terminal/text.hpp"
-#include "experiments/compare/side.hpp"
+#include "experiments/compare/join.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/tables/table_row.hpp"

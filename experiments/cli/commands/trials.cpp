@@ -20,7 +20,7 @@
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/text/overrides.hpp"
 #include "experiments/suite/text/reader.hpp"
-#include "experiments/tables/cell_fields.hpp"
+#include "experiments/tables/tables.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {

@@ -27,7 +27,7 @@
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/external.hpp"
 #include "experiments/suite/text/reader.hpp"
-#include "experiments/tables/cell_fields.hpp"
+#include "experiments/tables/tables.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::cli {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/run/blocks/block_set.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/run/blocks/checkpoints.hpp"
 #include "experiments/run/blocks/trial_blocks.hpp"
 
 namespace bezierbench::run {

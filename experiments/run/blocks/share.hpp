@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/run/blocks/block_set.hpp"
 #include "experiments/run/blocks/checkpoints.hpp"
 #include "experiments/run/run.hpp"
 

@@ -12,7 +12,7 @@
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/trial_inputs.hpp"
 #include "experiments/suite/suite.hpp"
-#include "experiments/tables/cell_fields.hpp"
+#include "experiments/tables/tables.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::studies {

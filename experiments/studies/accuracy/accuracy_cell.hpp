@@ -16,7 +16,6 @@
 #include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/sample/draw.hpp"
-#include "experiments/tables/cell_fields.hpp"
 #include "experiments/tables/tables.hpp"
 #include "reference/true_point.hpp"
 

@@ -9,7 +9,6 @@
 #include <span>
 
 #include "experiments/external/method.hpp"
-#include "experiments/judge/drawn_curves.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"

@@ -13,7 +13,6 @@
 
 #include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/judge/methods.hpp"
-#include "experiments/judge/study_inputs.hpp"
 #include "experiments/metric/counts.hpp"
 #include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/sample/cell.hpp"
@@ -22,7 +21,7 @@
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/suite.hpp"
 #include "experiments/suite/validate.hpp"
-#include "experiments/tables/cell_fields.hpp"
+#include "experiments/tables/tables.hpp"
 #include "reference/error/norm.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/number/number.hpp"

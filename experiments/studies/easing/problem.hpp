@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/easing/kernel.hpp"
-#include "experiments/judge/drawn_curves.hpp"
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"

@@ -19,7 +19,6 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/sample/curve_slice.hpp"
-#include "experiments/studies/exhaustive/float_curve.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
 #include "experiments/studies/roster.hpp"
 #include "experiments/suite/suite.hpp"

@@ -7,7 +7,6 @@
 
 #include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/judge/workspace.hpp"
-#include "experiments/studies/exhaustive/float_curve.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
 #include "experiments/studies/study_test.hpp"
 #include "reference/exact_curve.hpp"

@@ -14,14 +14,12 @@
 #include "experiments/number/bytes.hpp"
 #include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/race.hpp"
-#include "experiments/race/timed_check.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/external/external.hpp"
-#include "experiments/studies/timing/racing_job.hpp"
 #include "experiments/studies/timing/timed_evaluation.hpp"
 #include "experiments/studies/timing/timing_rows.hpp"
 #include "experiments/suite/suite.hpp"
-#include "experiments/tables/cell_fields.hpp"
+#include "experiments/tables/tables.hpp"
 
 namespace bezierbench::studies {
 namespace {

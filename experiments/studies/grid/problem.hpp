@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/grid/kernel.hpp"
-#include "experiments/judge/drawn_curves.hpp"
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"

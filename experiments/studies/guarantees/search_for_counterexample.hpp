@@ -13,7 +13,6 @@
 #include "experiments/guarantees/case.hpp"
 #include "experiments/guarantees/draws.hpp"
 #include "experiments/guarantees/excess.hpp"
-#include "experiments/guarantees/shrink.hpp"
 #include "experiments/guarantees/statements.hpp"
 #include "experiments/run/interruption.hpp"
 

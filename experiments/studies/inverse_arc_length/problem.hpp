@@ -9,7 +9,6 @@
 #include <span>
 
 #include "core/arc_length/inverse/kernel.hpp"
-#include "experiments/judge/drawn_curves.hpp"
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
 #include "experiments/run/job.hpp"

@@ -16,7 +16,7 @@
 #include "experiments/studies/roster.hpp"
 #include "experiments/studies/search/climb.hpp"
 #include "experiments/suite/kind.hpp"
-#include "experiments/tables/cell_fields.hpp"
+#include "experiments/tables/tables.hpp"
 #include "reference/number/number.hpp"
 
 namespace bezierbench::studies {

@@ -4,7 +4,6 @@
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/race/kernel_rival.hpp"
-#include "experiments/race/timed_check.hpp"
 
 namespace bezierbench::studies {
 namespace {

@@ -7,12 +7,11 @@
 #include <memory>
 #include <vector>
 
+#include "experiments/race/kernel_rival.hpp"
 #include "experiments/race/race.hpp"
-#include "experiments/race/timed_check.hpp"
 #include "experiments/run/interruption.hpp"
 #include "experiments/studies/external/external.hpp"
 #include "experiments/studies/roster.hpp"
-#include "experiments/studies/timing/racing_job.hpp"
 #include "experiments/studies/timing/timing_rows.hpp"
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/suite.hpp"

@@ -15,7 +15,7 @@
 #include "experiments/race/limit.hpp"
 #include "experiments/race/processor_models.hpp"
 #include "experiments/suite/suite.hpp"
-#include "experiments/tables/cell_fields.hpp"
+#include "experiments/tables/tables.hpp"
 
 namespace bezierbench::studies {
 

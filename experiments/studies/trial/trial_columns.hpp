@@ -13,7 +13,7 @@
 #include "experiments/metric/counts.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/sample/cell.hpp"
-#include "experiments/tables/cell_fields.hpp"
+#include "experiments/tables/tables.hpp"
 
 namespace bezierbench::studies {
 

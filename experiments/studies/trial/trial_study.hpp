@@ -21,13 +21,12 @@
 
 #include "experiments/failure.hpp"
 #include "experiments/judge/methods.hpp"
-#include "experiments/judge/study_inputs.hpp"
 #include "experiments/judge/trial_problem.hpp"
 #include "experiments/metric/counts.hpp"
 #include "experiments/run/blocks/trial_blocks.hpp"
 #include "experiments/run/job.hpp"
 #include "experiments/studies/trial/trial_columns.hpp"
-#include "experiments/tables/cell_fields.hpp"
+#include "experiments/tables/tables.hpp"
 #include "reference/length/true_length.hpp"
 
 namespace bezierbench::studies {
