@@ -11,7 +11,6 @@
 
 #include "bindings/c/curve.hpp"
 #include "core/fit/kernel.hpp"
-#include "core/interpolate/knot_steps.hpp"
 #include "core/interpolate/spline.hpp"
 #include "reference/companion/polyline_departure.hpp"
 

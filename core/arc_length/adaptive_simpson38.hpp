@@ -20,8 +20,6 @@
 #include <utility>
 
 #include "core/arc_length/arc_length.hpp"
-#include "core/arc_length/fixed_degree.hpp"
-#include "core/arc_length/panel.hpp"
 #include "core/arc_length/speed.hpp"
 #include "core/arc_length/squared_speeds.hpp"
 #include "core/curve.hpp"

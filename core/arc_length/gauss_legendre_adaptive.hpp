@@ -19,9 +19,7 @@
 
 #include "core/arc_length/arc_length.hpp"
 #include "core/arc_length/chebyshev_series.hpp"
-#include "core/arc_length/fixed_degree.hpp"
 #include "core/arc_length/gauss_legendre.hpp"
-#include "core/arc_length/panel.hpp"
 #include "core/arc_length/speed.hpp"
 #include "core/arc_length/squared_speeds.hpp"
 #include "core/powers.hpp"

@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: MIT
 // A proved rule misses no more than the proof says, compared with the mean speed to 70 digits.
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <vector>
 
+#include "core/arc_length/chebyshev_series.hpp"
 #include "core/arc_length/gauss_legendre.hpp"
 #include "core/arc_length/gauss_legendre_adaptive.hpp"
 #include "core/arc_length/speed.hpp"
+#include "core/arc_length/squared_speeds.hpp"
 #include "core/evaluate/evaluation_test.hpp"
 #include "core/evaluate/kernel/kernel_of.hpp"
+#include "core/evaluate/methods/de_casteljau.hpp"
 #include "reference/length/true_length.hpp"
 
 namespace bezierbench {
+
 namespace {
 
 /// Control vectors of a hodograph that all lie within `spread` of the first axis' unit vector.
@@ -125,4 +132,104 @@ TEST(ProvedRule, IsThatOfTheTheorem) {
 }
 
 }  // namespace
+
+// The series of Chebyshev polynomials, whose control points are known, have one term.
+
+namespace {
+
+/// The control points of T_n(2t - 1): (-1)^(n-i) C(2n, 2i) / C(n, i) ([Rababah 2003]).
+/// With t = cos^2 v, T_n(2t - 1) = cos 2nv is the real part of (cos v + i sin v)^(2n).
+std::vector<double> control_points(int n) {
+  std::vector<double> points{n % 2 == 0 ? 1.0 : -1.0};
+  for (int i = 1; i <= n; ++i) points.push_back(-points.back() * (2 * (n - i) + 1) / (2 * i - 1));
+  return points;
+}
+
+TEST(ChebyshevSeries, OfAChebyshevPolynomialIsItself) {
+  for (int n = 1; n <= 40; ++n) {
+    const auto points = control_points(n);
+    const auto curve = instantiate::load<Form::bernstein, 1>(CurveView<double>{Form::bernstein, 1, n, points});
+    const double largest = std::ranges::max(points);
+    ChebyshevSeries<1> series(n);
+    with_fixed_degree(curve, [&](const auto& fixed) { series.expand(fixed, largest); });
+    const auto of_fixed = series;
+    series.expand(curve, largest);
+    for (std::size_t k = 0; k <= series.degree(); ++k) EXPECT_EQ(series.size(k), of_fixed.size(k)) << n << " " << k;
+    const double rounding = series.rounding(largest);
+    const bool is_cut = n > static_cast<int>(series.degree_limit);
+    if (is_cut) {
+      EXPECT_GE(series.cut(), 1) << n;  // the distance of T_n from any polynomial of lower degree
+      continue;
+    }
+    EXPECT_EQ(series.cut(), rounding) << n;
+    for (std::size_t k = 0; k <= series.degree(); ++k)
+      EXPECT_NEAR(series.size(k), k == static_cast<std::size_t>(n) ? 1 : 0, rounding) << n << " " << k;
+  }
+}
+
+/// The size of a term and the cut include every axis. One series serves many curves.
+TEST(ChebyshevSeries, CombinesAxes) {
+  ChebyshevSeries<3> series(5);
+  Curve<Form::bernstein, double, 3> curve(5);
+  const auto points = control_points(5);
+  for (const double scale : {1.0, 0.5}) {
+    for (int i = 0; i <= 5; ++i) {
+      curve(0, i) = 3 * scale * points[static_cast<std::size_t>(i)];
+      curve(1, i) = 4 * scale * points[static_cast<std::size_t>(i)];
+      curve(2, i) = 7 * scale;
+    }
+    series.expand(curve, 100);
+    const double rounding = series.rounding(100);
+    EXPECT_NEAR(series.size(0), 7 * scale, rounding);
+    EXPECT_NEAR(series.size(5), 5 * scale, rounding);
+    for (const std::size_t k : {1U, 2U, 3U, 4U}) EXPECT_LE(series.size(k), rounding);
+    series.shorten(4.9 * scale);
+    EXPECT_EQ(series.degree(), 5);
+    series.shorten(5.1 * scale);
+    EXPECT_EQ(series.degree(), 0);
+    EXPECT_NEAR(series.cut(), 5 * scale, 10 * rounding);
+  }
+}
+
+}  // namespace
+
+// Eight speeds computed at once have the bits of single ones.
+
+namespace {
+
+template <int Dimension>
+double squared_norm_at(const Curve<Form::bernstein, double, Dimension>& curve, double t) {
+  const auto point = DeCasteljau::evaluate(DeCasteljau::prepare(curve), t);
+  double sum = 0;
+  for (int axis = 0; axis < Dimension; ++axis) sum += point[axis] * point[axis];
+  return sum;
+}
+
+template <int Dimension>
+void expect_those_of_de_casteljau() {
+  const auto squared_speeds = std::make_unique<SquaredSpeeds<Dimension>>();  // one object serves all curves below
+  Inputs inputs(11);
+  for (const int degree : {20, 0, 1, 2, 3, 5, 10, max_degree, 4, 0}) {
+    const auto points = inputs.coefficients(degree, Dimension);
+    const auto h =
+        instantiate::load<Form::bernstein, Dimension>(CurveView<double>{Form::bernstein, Dimension, degree, points});
+    std::array<double, 8> parameters{0, 1, 0.5};
+    for (std::size_t k = 3; k < parameters.size(); ++k) parameters[k] = inputs.unit();
+    const auto expect_right = [&](const auto& squares) {
+      for (std::size_t k = 0; k < parameters.size(); ++k)
+        EXPECT_EQ(squares[k], squared_norm_at(h, parameters[k])) << degree << " " << parameters[k];
+    };
+    expect_right((*squared_speeds)(h, parameters));
+    with_fixed_degree(h, [&](const auto& fixed) { expect_right((*squared_speeds)(fixed, parameters)); });
+  }
+}
+
+TEST(SquaredSpeeds, AreThoseOfDeCasteljau) {
+  expect_those_of_de_casteljau<1>();
+  expect_those_of_de_casteljau<2>();
+  expect_those_of_de_casteljau<3>();
+}
+
+}  // namespace
+
 }  // namespace bezierbench

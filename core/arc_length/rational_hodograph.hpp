@@ -24,7 +24,6 @@
 #include "core/arc_length/adaptive_simpson38.hpp"
 #include "core/arc_length/chebyshev_series.hpp"
 #include "core/arc_length/gauss_legendre_adaptive.hpp"
-#include "core/arc_length/panel.hpp"
 #include "core/arc_length/part.hpp"
 #include "core/arc_length/scale.hpp"
 #include "core/arc_length/speed.hpp"

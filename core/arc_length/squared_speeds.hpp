@@ -8,6 +8,7 @@
 // the compiler knows the degree, all steps are written out and the triangles stay in registers.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -97,5 +98,71 @@ class SquaredSpeeds {
 
 template <int Dimension, int Degree>
 SquaredSpeeds<Dimension> speeds_for(const Curve<Form::bernstein, double, Dimension, Degree>& hodograph);
+
+// Code for hodographs of a low degree that the compiler knows: its loops are written out and its values stay in
+// registers. It has the same operations, and so the same bits, as code for any degree.
+
+/// Calls measure(h), with the degree in the type of h up to 4, the hodographs of quintics.
+template <int Dimension, class Measure>
+auto with_fixed_degree(const Curve<Form::bernstein, double, Dimension>& hodograph, const Measure& measure) {
+  const auto with_degree = [&]<int Degree>() {
+    Curve<Form::bernstein, double, Dimension, Degree> h(Degree);
+    for (int i = 0; i <= Degree; ++i)
+      for (int axis = 0; axis < Dimension; ++axis) h(axis, i) = hodograph(axis, i);
+    return measure(h);
+  };
+  switch (hodograph.degree()) {
+    case 1: return with_degree.template operator()<1>();
+    case 2: return with_degree.template operator()<2>();
+    case 3: return with_degree.template operator()<3>();
+    case 4: return with_degree.template operator()<4>();
+    default: return measure(hodograph);
+  }
+}
+
+// Bounds of the length of a panel from the control vectors of its hodograph, and the halving of panels.
+
+/// The length of the chord, |mean of the control vectors|, which is a lower bound of the length of the panel.
+template <int Dimension, int Degree>
+double chord_length(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
+  double square = 0;
+  for (int axis = 0; axis < Dimension; ++axis) {
+    double sum = 0;
+    for (int i = 0; i <= h.degree(); ++i) sum += h(axis, i);
+    square += sum * sum;
+  }
+  return std::sqrt(square) / (h.degree() + 1);
+}
+
+/// The size of the longest of the control vectors 0, ..., last.
+template <int Dimension, int Degree>
+double longest_vector(const Curve<Form::bernstein, double, Dimension, Degree>& h, int last) {
+  double largest_square = 0;
+  for (int i = 0; i <= last; ++i) {
+    double square = 0;
+    for (int axis = 0; axis < Dimension; ++axis) square += h(axis, i) * h(axis, i);
+    largest_square = std::max(largest_square, square);
+  }
+  return std::sqrt(largest_square);
+}
+
+/// The size of the longest control vector.
+template <int Dimension, int Degree>
+double longest_vector(const Curve<Form::bernstein, double, Dimension, Degree>& h) {
+  return longest_vector(h, h.degree());
+}
+
+/// Halves a hodograph: returns the left half and leaves the right one in h.
+template <int Dimension, int Degree>
+Curve<Form::bernstein, double, Dimension, Degree> cut_left_half(Curve<Form::bernstein, double, Dimension, Degree>& h) {
+  const int m = h.degree();
+  Curve<Form::bernstein, double, Dimension, Degree> left(m);
+  for (int level = 0; level <= m; ++level) {
+    for (int axis = 0; axis < Dimension; ++axis) left(axis, level) = h(axis, 0);
+    for (int i = 0; i < m - level; ++i)
+      for (int axis = 0; axis < Dimension; ++axis) h(axis, i) = (h(axis, i) + h(axis, i + 1)) / 2;
+  }
+  return left;
+}
 
 }  // namespace bezierbench

@@ -19,7 +19,6 @@
 
 #include <algorithm>
 
-#include "core/derivative/level_derivatives.hpp"
 #include "core/derivative/triangle_derivatives.hpp"
 #include "core/evaluate/schemes/wozny_chudy_weights.hpp"
 #include "core/factorial.hpp"

@@ -14,7 +14,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/easing/unit_cubic.hpp"
+#include "core/easing/easing.hpp"
 
 namespace bezierbench {
 

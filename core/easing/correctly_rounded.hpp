@@ -18,7 +18,6 @@
 #include <utility>
 
 #include "core/easing/enclosure.hpp"
-#include "core/easing/exact_sign.hpp"
 #include "core/easing/halley.hpp"
 
 namespace bezierbench {

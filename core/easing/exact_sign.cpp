@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "core/easing/exact_sign.hpp"
-
 #include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
@@ -9,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/easing/enclosure.hpp"
 #include "core/split_double.hpp"
 
 namespace bezierbench {

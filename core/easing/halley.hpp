@@ -13,7 +13,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/easing/unit_cubic.hpp"
+#include "core/easing/easing.hpp"
 
 namespace bezierbench {
 

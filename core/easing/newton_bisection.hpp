@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-#include "core/easing/unit_cubic.hpp"
+#include "core/easing/easing.hpp"
 
 namespace bezierbench {
 

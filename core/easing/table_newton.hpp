@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/easing/unit_cubic.hpp"
+#include "core/easing/easing.hpp"
 
 namespace bezierbench {
 

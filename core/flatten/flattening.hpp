@@ -9,6 +9,7 @@
 
 #include "core/curve.hpp"
 #include "core/method.hpp"
+#include "core/powers.hpp"
 
 namespace bezierbench {
 
@@ -74,6 +75,16 @@ double squared_distance_to_segment(const Point<double, Dimension>& point, const 
   if (along <= 0 || squared_length == 0) return offset.squaredNorm();
   if (along >= squared_length) return (point - to).squaredNorm();
   return (offset - chord * (along / squared_length)).squaredNorm();
+}
+
+// The cube root by Newton's method, to a few ulp: no library decides its bits.
+
+/// Of a finite x >= 0.
+inline double cube_root(double x) {
+  if (!(x > 0)) return 0;
+  double root = std::ldexp(1, binary_exponent(x) / 3);  // within a factor of 2
+  for (int k = 0; k < 7; ++k) root = (2 * root + x / (root * root)) / 3;
+  return root;
 }
 
 }  // namespace bezierbench

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/flatten/cube_root.hpp"
 #include "core/flatten/flattening.hpp"
 #include "core/subdivide/subdivision.hpp"
 

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/flatten/cube_root.hpp"
 #include "core/flatten/flattening.hpp"
 
 namespace bezierbench {

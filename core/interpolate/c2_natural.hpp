@@ -17,7 +17,6 @@
 
 #include "core/error_free.hpp"
 #include "core/interpolate/interpolation.hpp"
-#include "core/interpolate/spline_system.hpp"
 
 namespace bezierbench {
 

@@ -12,7 +12,6 @@
 #pragma once
 
 #include "core/interpolate/interpolation.hpp"
-#include "core/interpolate/spline_system.hpp"
 
 namespace bezierbench {
 

@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "core/evaluate/evaluation_test.hpp"
-#include "core/interpolate/knot_steps.hpp"
 #include "reference/companion/interpolation.hpp"
 
 namespace bezierbench {

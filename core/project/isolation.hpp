@@ -9,7 +9,6 @@
 #include <memory_resource>
 #include <vector>
 
-#include "core/project/nearest.hpp"
 #include "core/project/polygon.hpp"
 #include "core/project/polygon_product.hpp"
 #include "core/project/refine.hpp"

@@ -2,8 +2,10 @@
 // The methods for point projection behind function pointers.
 #pragma once
 
+#include <concepts>
 #include <span>
 
+#include "core/curve.hpp"
 #include "core/curve_view.hpp"
 #include "core/method.hpp"
 
@@ -31,5 +33,14 @@ struct ProjectionKernel {
 
 /// All methods, in roster order. Dimension is 1, 2 or 3.
 std::span<const ProjectionKernel> projection_kernels(int dimension);
+
+// The concept of a method for point projection: `info`, and one function from a curve and a point to the parameter in
+// [0, 1] where the curve is nearest to the point.
+
+template <class M>
+concept ProjectionMethod = requires(const Curve<M::info.form, double, 2>& curve, const Point<double, 2>& point) {
+  requires M::info.problem == Problem::projection;
+  { M::project(curve, point) } -> std::same_as<FootPoint>;
+};
 
 }  // namespace bezierbench

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <vector>
 
-#include "core/project/nearest.hpp"
 #include "core/project/refine.hpp"
 
 namespace bezierbench {

@@ -10,7 +10,7 @@
 //   speed. A smaller e does not help: with e below about 1e-8 both distances agree in all digits.
 #pragma once
 
-#include "core/project/projection.hpp"
+#include "core/project/kernel.hpp"
 #include "core/project/scan.hpp"
 
 namespace bezierbench {

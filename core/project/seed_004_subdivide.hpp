@@ -15,7 +15,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/project/projection.hpp"
+#include "core/project/kernel.hpp"
 #include "core/project/refine.hpp"
 
 namespace bezierbench {

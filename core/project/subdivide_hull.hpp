@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "core/binomial.hpp"
-#include "core/project/projection.hpp"
+#include "core/project/kernel.hpp"
 #include "core/project/rational_offset.hpp"
 #include "core/project/refine.hpp"
 

@@ -19,7 +19,7 @@
 #include <cmath>
 
 #include "core/error_free.hpp"
-#include "core/flatten/cube_root.hpp"
+#include "core/flatten/flattening.hpp"
 #include "core/powers.hpp"
 #include "core/roots/roots.hpp"
 

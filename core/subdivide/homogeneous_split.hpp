@@ -5,7 +5,7 @@
 // Source: [Farin 1983].
 // Cost: the polynomial method's in d + 1 dimensions, d (n+1) products and 2 d (n+1) divisions.
 // Bound, for weights >= 0 and 0 <= t <= 1: of a weight that of the polynomial method; of a point as derived at
-//   split_quotient_bound (core/subdivide/split_bound.hpp), to first order twice the polynomial method's factor and 2.
+//   split_quotient_bound (core/subdivide/subdivision.hpp), to first order twice the polynomial method's factor and 2.
 // Fails: w_i b_i overflows or underflows where b_i would not; a point whose weight is 0 is not finite; outside [0,1] or
 //   with weights of both signs a weight may cancel. At t = 0 and 1 the half that is the curve is so to two roundings.
 #pragma once

@@ -12,7 +12,6 @@
 #include <cstdint>
 
 #include "core/arc_length/inverse/inverse_arc_length.hpp"
-#include "core/arc_length/inverse/part_length.hpp"
 
 namespace bezierbench {
 

@@ -20,7 +20,6 @@
 #include <vector>
 
 #include "core/arc_length/inverse/inverse_arc_length.hpp"
-#include "core/arc_length/inverse/part_length.hpp"
 #include "core/arc_length/points.hpp"
 #include "core/evaluate/methods/horner_bernstein.hpp"
 

@@ -15,7 +15,6 @@
 #include <cmath>
 
 #include "core/arc_length/inverse/inverse_arc_length.hpp"
-#include "core/arc_length/inverse/part_length.hpp"
 #include "core/derivative/hodograph.hpp"
 #include "core/evaluate/methods/horner_bernstein.hpp"
 

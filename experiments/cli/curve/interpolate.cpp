@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/interpolate/kernel.hpp"
-#include "core/interpolate/knot_steps.hpp"
 #include "core/interpolate/spline.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
 
