@@ -30,7 +30,7 @@ from report.bundle import Bundle  # noqa: E402
 from report.chapters import first_glance  # noqa: E402
 from report.findings.roster import find_all  # noqa: E402
 from report.inline import to_plain  # noqa: E402
-from scripts.digests import Agreement, AgreementWithDigests  # noqa: E402
+from scripts.digests import Agreement  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
 BUNDLES = ROOT / "results/atlas"
@@ -196,7 +196,7 @@ def sample(program, place):
         shutil.rmtree(fresh, ignore_errors=True)
         subprocess.run([program, "run", ROOT / f"experiments/suites/{suite}.toml", "--only", study, "--no-timing", "--quiet", "--out", fresh],
                        check=True)
-        found = (Agreement if suite in recorded() else AgreementWithDigests)(BUNDLES / suite, fresh, {study})
+        found = Agreement(BUNDLES / suite, fresh, {study})
         holds &= found.holds()
         print(f"{suite}, study {study}: {found.counts()}", *found.named(), sep="\n", flush=True)
     return holds

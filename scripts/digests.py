@@ -63,23 +63,15 @@ def of_bundle(bundle):
 
 
 class Agreement:
-    """Which rows of two bundles agree, over the digested columns that both have."""
+    """Which rows of two bundles agree, by the digests.csv of both."""
 
     def __init__(self, base, other, studies=None):
         """Compares only the rows of `studies`, if given."""
         self.agreeing, self.differing, self.only_base, self.only_other = [], [], [], []
-        for ours, theirs in self._tables(base, other):
-            for at in dict.fromkeys([*ours, *theirs]):
-                if studies is None or at.study in studies:
-                    self._sort_in(at, ours.get(at), theirs.get(at))
-
-    def _tables(self, base, other):
-        """Of each table {Rows: (number of rows, digest)} of both."""
-        for file in schema.deterministic():
-            paths = [bundle / file for bundle in (base, other)]
-            headers = [_table(path)[0] for path in paths if path.exists()]
-            columns = [column for column in schema.digested(file) if all(column in one for one in headers)]
-            yield tuple(of_table(path, columns) if path.exists() else {} for path in paths)
+        ours, theirs = _listed(base), _listed(other)
+        for at in dict.fromkeys([*ours, *theirs]):
+            if studies is None or at.study in studies:
+                self._sort_in(at, ours.get(at), theirs.get(at))
 
     def _sort_in(self, at, ours, theirs):
         kind = self.only_base if theirs is None else self.only_other if ours is None else self.agreeing if ours == theirs else self.differing
@@ -102,16 +94,9 @@ class Agreement:
                 yield f"{what}: {len(rows) - most} more"
 
 
-class AgreementWithDigests(Agreement):
-    """The same where digests.csv is all that was kept of the base: over the columns that it digested."""
-
-    def _tables(self, base, other):
-        yield _listed(base / NAME, files.content(base / NAME)), _listed(other / NAME, of_bundle(other).encode())
-
-
-def _listed(path, data):
+def _listed(bundle):
     """{Rows: (number of rows, digest)} of digests.csv."""
-    header, rows = files.table(path, data)
+    header, rows = _table(bundle / NAME)
     columns = [header.index(name) for name in ("table", "study", "method", "rows", "digest")]
     found = ([row[at] for at in columns] for _, row in rows)
     return {Rows(*at): (int(count), digest) for *at, count, digest in found}
