@@ -36,10 +36,6 @@ namespace {
 constexpr std::array arc_length_fields{suite::field<&suite::Study::tolerance>(
     suite::tolerance_key("tolerances that the methods are given, relative to the length", "[1e-3, 1e-6]"))};
 
-suite::Finding check_arc_length(const suite::Study& study, const suite::Vocabulary& /*known*/) {
-  return suite::check_tolerances(study.tolerance);
-}
-
 }  // namespace
 
 extern constexpr StudyKind arc_length_kind =
@@ -52,6 +48,8 @@ extern constexpr StudyKind arc_length_kind =
                                                  .double_only = true,
                                                  .parameters = suite::Parameters::from_0_to_1,
                                                  .parameters_reason = "the part to be measured"},
-                                      .check = check_arc_length});
+                                      .check = [](const suite::Study& study, const suite::Vocabulary& /*known*/) {
+                                        return suite::check_tolerances(study.tolerance);
+                                      }});
 
 }  // namespace bezierbench::studies

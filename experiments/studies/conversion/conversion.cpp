@@ -271,21 +271,19 @@ std::unique_ptr<run::Job> conversion_job(const suite::Study& study, const run::J
 
 constexpr std::array conversion_fields{suite::field<&suite::Study::published>(suite::published_key)};
 
-suite::Finding check_conversion(const suite::Study& study, const suite::Vocabulary& known) {
-  return suite::check_published(study.published, known);
-}
-
 }  // namespace
 
-extern constexpr StudyKind conversion_kind{.asks = {.id = "conversion",
-                                                    .about = "errors of the coefficients in another form",
-                                                    .own = conversion_fields,
-                                                    .methods_example = "[\"factorial+positive_sum\"]",
-                                                    .inputs = {.forms = suite::polynomial_forms,
-                                                               .forms_reason = "conversions take polynomial curves",
-                                                               .double_only = true},
-                                                    .chains = true,
-                                                    .check = check_conversion},
-                                           .make = conversion_job};
+extern constexpr StudyKind conversion_kind{
+    .asks = {.id = "conversion",
+             .about = "errors of the coefficients in another form",
+             .own = conversion_fields,
+             .methods_example = "[\"factorial+positive_sum\"]",
+             .inputs = {.forms = suite::polynomial_forms,
+                        .forms_reason = "conversions take polynomial curves",
+                        .double_only = true},
+             .chains = true,
+             .check = [](const suite::Study& study,
+                         const suite::Vocabulary& known) { return suite::check_published(study.published, known); }},
+    .make = conversion_job};
 
 }  // namespace bezierbench::studies

@@ -62,10 +62,6 @@ namespace {
 
 constexpr std::array derivative_fields{suite::field<&suite::Study::order>(suite::order_key)};
 
-suite::Finding check_derivative(const suite::Study& study, const suite::Vocabulary& /*known*/) {
-  return suite::check_orders(study.order);
-}
-
 }  // namespace
 
 extern constexpr StudyKind derivative_kind =
@@ -74,6 +70,8 @@ extern constexpr StudyKind derivative_kind =
                                        .own = derivative_fields,
                                        .methods_example = "[\"differences_horner\"]",
                                        .inputs = {.double_only = true},
-                                       .check = check_derivative});
+                                       .check = [](const suite::Study& study, const suite::Vocabulary& /*known*/) {
+                                         return suite::check_orders(study.order);
+                                       }});
 
 }  // namespace bezierbench::studies

@@ -11,13 +11,10 @@
 #include "experiments/studies/trial/companion_kind.hpp"
 #include "experiments/suite/kind.hpp"
 #include "experiments/tables/tables.hpp"
+#include "reference/error/norm.hpp"
 
 namespace bezierbench::studies {
 namespace {
-
-bool are_finite(std::span<const double> numbers) {
-  return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
-}
 
 /// The ends of chords lead from the first control point to the last one, with ascending parameters.
 bool is_polyline(const CurveView<double>& curve, const Flattening& chords) {
@@ -88,7 +85,7 @@ void FlatteningProblem::draw(std::uint64_t number, Drawn& drawn) const {
 
 void FlatteningProblem::judge(const Kernel& method, Drawn& drawn, double tolerance, const Answer& chords,
                               std::uint64_t number, Errors& errors) {
-  if (!are_finite(chords.t) || !are_finite(chords.points)) {
+  if (!reference::all_finite(chords.t) || !reference::all_finite(chords.points)) {
     ++errors.non_finite;
     return;
   }
@@ -130,7 +127,7 @@ void FlatteningProblem::judge(const Kernel& method, Drawn& drawn, double toleran
 }
 
 bool FlatteningProblem::is_right(const Kernel& /*method*/, const Drawn& drawn, double tolerance, const Answer& chords) {
-  return are_finite(chords.t) && are_finite(chords.points) && is_polyline(drawn.curve, chords) &&
+  return reference::all_finite(chords.t) && reference::all_finite(chords.points) && is_polyline(drawn.curve, chords) &&
          !judge_chords(drawn, chords, tolerance * drawn.size).refuted;
 }
 
@@ -146,10 +143,6 @@ namespace {
 constexpr std::array flattening_fields{suite::field<&suite::Study::tolerance>(
     suite::tolerance_key("tolerances that the methods are given, relative to the size of the curve", "[1e-2, 1e-4]"))};
 
-suite::Finding check_flattening(const suite::Study& study, const suite::Vocabulary& /*known*/) {
-  return suite::check_tolerances(study.tolerance);
-}
-
 }  // namespace
 
 extern constexpr StudyKind flattening_kind =
@@ -164,6 +157,8 @@ extern constexpr StudyKind flattening_kind =
                                                   .least_degree_reason = "a chord has two ends",
                                                   .parameters = suite::Parameters::whole,
                                                   .parameters_reason = "whole curves are flattened"},
-                                       .check = check_flattening});
+                                       .check = [](const suite::Study& study, const suite::Vocabulary& /*known*/) {
+                                         return suite::check_tolerances(study.tolerance);
+                                       }});
 
 }  // namespace bezierbench::studies

@@ -11,6 +11,7 @@
 #include "experiments/studies/trial/companion_kind.hpp"
 #include "experiments/suite/kind.hpp"
 #include "experiments/suite/validate.hpp"
+#include "reference/error/norm.hpp"
 
 namespace bezierbench::studies {
 namespace {
@@ -57,7 +58,7 @@ void GridProblem::draw(std::uint64_t number, Drawn& drawn) const {
 
 void GridProblem::judge(const Kernel& method, const Drawn& drawn, double /*tolerance*/, const Answer& answer,
                         std::uint64_t number, Errors& errors) {
-  if (!std::ranges::all_of(answer, [](double value) { return std::isfinite(value); })) {
+  if (!reference::all_finite(answer)) {
     ++errors.non_finite;
     const auto unproved = [](int /*k*/, double error, double bound, reference::TrialScale& /*scale*/) {
       return std::isfinite(error) || !std::isfinite(bound);

@@ -211,10 +211,6 @@ constexpr std::array guarantees_fields{
 constexpr std::array<std::string_view, 5> undrawn{"coordinate_range", "t_interval", "generator", "parameters_from",
                                                   "placement"};
 
-suite::Finding check_guarantees(const suite::Study& study, const suite::Vocabulary& /*known*/) {
-  return suite::check_budget("guarantees", study.budget);
-}
-
 }  // namespace
 
 extern constexpr StudyKind guarantees_kind{
@@ -228,7 +224,10 @@ extern constexpr StudyKind guarantees_kind{
                         .least_degree_reason = "a curve of degree 0 is a point"},
              .without = undrawn,
              .without_reason = "the statements are about all control points, and each says which t it is about",
-             .check = check_guarantees},
+             .check =
+                 [](const suite::Study& study, const suite::Vocabulary& /*known*/) {
+                   return suite::check_budget("guarantees", study.budget);
+                 }},
     .make = guarantees_job};
 
 }  // namespace bezierbench::studies

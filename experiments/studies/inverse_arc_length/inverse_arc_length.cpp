@@ -111,10 +111,6 @@ namespace {
 constexpr std::array inverse_arc_length_fields{suite::field<&suite::Study::tolerance>(suite::tolerance_key(
     "tolerances that the methods are given, relative to the length of the whole curve", "[1e-3, 1e-6]"))};
 
-suite::Finding check_inverse_arc_length(const suite::Study& study, const suite::Vocabulary& /*known*/) {
-  return suite::check_tolerances(study.tolerance);
-}
-
 }  // namespace
 
 extern constexpr StudyKind inverse_arc_length_kind = companion_kind<InverseArcLengthProblem>(
@@ -127,6 +123,8 @@ extern constexpr StudyKind inverse_arc_length_kind = companion_kind<InverseArcLe
                 .double_only = true,
                 .parameters = suite::Parameters::from_0_to_1,
                 .parameters_reason = "the share of the length at which t is sought"},
-     .check = check_inverse_arc_length});
+     .check = [](const suite::Study& study, const suite::Vocabulary& /*known*/) {
+       return suite::check_tolerances(study.tolerance);
+     }});
 
 }  // namespace bezierbench::studies

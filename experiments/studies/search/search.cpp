@@ -222,10 +222,6 @@ std::unique_ptr<run::Job> search_job(const suite::Study& study, const run::JobCo
 constexpr std::array search_fields{suite::field<&suite::Study::budget>(
     suite::budget_key("how many inputs the search may try per cell and method, after the random trials"))};
 
-suite::Finding check_search(const suite::Study& study, const suite::Vocabulary& /*known*/) {
-  return suite::check_budget("search", study.budget);
-}
-
 }  // namespace
 
 extern constexpr StudyKind search_kind{
@@ -233,7 +229,8 @@ extern constexpr StudyKind search_kind{
              .about = "the inputs with the largest error, sought from random ones on",
              .own = search_fields,
              .methods_example = "[\"de_casteljau\"]",
-             .check = check_search},
+             .check = [](const suite::Study& study,
+                         const suite::Vocabulary& /*known*/) { return suite::check_budget("search", study.budget); }},
     .make = search_job};
 
 }  // namespace bezierbench::studies
