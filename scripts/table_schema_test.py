@@ -1,9 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Checks the CSV tables of bundles against their schema, and the schema against the tables.
+"""Checks the CSV tables, bundle.json and machine.json of bundles against their schemas, and the schemas against them.
 
-table_schema_test.py PROGRAM    checks a run of PROGRAM with every kind of study, the committed bundles, and a bundle of
-                                every earlier schema version
+table_schema_test.py PROGRAM    checks a run of PROGRAM with every kind of study, and the committed bundles
 """
 import copy
 import csv
@@ -21,7 +20,8 @@ from pathlib import Path
 import jsonschema
 
 ROOT = Path(__file__).resolve().parent.parent
-SCHEMA = json.loads((ROOT / "experiments/bundle/schema/tables.schema.json").read_text(encoding="utf-8"))
+SCHEMAS = ROOT / "experiments/bundle/schema"
+SCHEMA = json.loads((SCHEMAS / "tables.schema.json").read_text(encoding="utf-8"))
 COMMITTED = sorted(path.parent for path in ROOT.glob("results/*/bundle.json"))
 # Only methods of other libraries write these tables, and external methods that fail.
 OF_OTHERS = {"arc_length_unstable.csv", "untimed.csv"}
@@ -122,17 +122,26 @@ def typed_tables(bundle):
     return {file: table.typed_rows() for file, table in tables(bundle).items()}
 
 
-class TableSchema(unittest.TestCase):
+class Bundles(unittest.TestCase):
+    """A run with every kind of study, which all tests look at."""
+
+    fresh = None
+
     @classmethod
     def setUpClass(cls):
+        if Bundles.fresh:
+            return
         folder = tempfile.TemporaryDirectory(prefix="bezierbench-tables-")
-        cls.addClassCleanup(folder.cleanup)
+        unittest.addModuleCleanup(folder.cleanup)
         place = Path(folder.name)
         (place / "s.toml").write_text(suite(), encoding="utf-8")
         subprocess.run([PROGRAM, "run", "s.toml", "--counts", "--quiet", "--out", "bundle"], cwd=place, check=True)
-        cls.fresh = place / "bundle"
-        jsonschema.Draft202012Validator.check_schema(SCHEMA)
-        cls.whole = jsonschema.Draft202012Validator(SCHEMA)
+        Bundles.fresh = place / "bundle"
+
+
+class TableSchema(Bundles):
+    jsonschema.Draft202012Validator.check_schema(SCHEMA)
+    whole = jsonschema.Draft202012Validator(SCHEMA)
 
     def test_the_run_has_every_kind_of_study_and_every_table(self):
         listed = subprocess.run([PROGRAM, "list", "studies", "--format", "csv"], capture_output=True, text=True, check=True)
@@ -194,6 +203,79 @@ class TableSchema(unittest.TestCase):
                     free = resolved(column).get("anyOf") == resolved({"$ref": "#/$defs/optional_text"})["anyOf"]
                     wrong = [text for text in ("", "?!", "1e+02") if not judge(file, name).is_valid(typed(file, name, text))]
                     self.assertEqual(bool(wrong), not free)
+
+
+def validator(file):
+    schema = json.loads((SCHEMAS / file.replace(".json", ".schema.json")).read_text(encoding="utf-8"))
+    jsonschema.Draft7Validator.check_schema(schema)
+    return jsonschema.Draft7Validator(schema)
+
+
+def read(bundle, file):
+    return json.loads((bundle / file).read_text(encoding="utf-8"))
+
+
+def leaves(value, place=()):
+    """Yields the path of every value that is not an object."""
+    if not isinstance(value, dict):
+        return [place]
+    return [leaf for key, inner in value.items() for leaf in leaves(inner, (*place, key))]
+
+
+def holder(value, place):
+    for key in place[:-1]:
+        value = value[key]
+    return value
+
+
+class Documents(Bundles):
+    """bundle.json and machine.json."""
+
+    def test_bundles_follow_them(self):
+        self.assertTrue(COMMITTED)
+        for bundle in [self.fresh, *COMMITTED]:
+            for file in ("bundle.json", "machine.json"):
+                with self.subTest(bundle=bundle, file=file):
+                    validator(file).validate(read(bundle, file))
+
+    def test_they_ask_for_every_key_and_know_no_other(self):
+        for file in ("bundle.json", "machine.json"):
+            good, judge = read(self.fresh, file), validator(file)
+            good.pop("peers", None)  # its keys are the libraries that a build has
+            for place in leaves(good):
+                with self.subTest(file=file, place=place):
+                    less = copy.deepcopy(good)
+                    del holder(less, place)[place[-1]]
+                    self.assertFalse(judge.is_valid(less))
+                    other = copy.deepcopy(good)
+                    holder(other, place)["new_" + place[-1]] = "x"
+                    self.assertFalse(judge.is_valid(other))
+                    for wrong in (None, "", -1, {}):
+                        holder(less, place)[place[-1]] = wrong
+                        self.assertFalse(judge.is_valid(less), wrong)
+
+    def test_libraries_have_versions_if_there_are_any(self):
+        machine, judge = read(self.fresh, "machine.json"), validator("machine.json")
+        for peers, valid in (({"gsl": "2.7.1"}, True), ({"gsl": "unknown"}, True), ({"gsl": ""}, False), ({}, False), ("gsl", False)):
+            with self.subTest(peers=peers):
+                self.assertEqual(judge.is_valid({**machine, "peers": peers}), valid)
+
+    def test_what_cannot_be_read_may_be_unknown(self):
+        machine, judge = read(self.fresh, "machine.json"), validator("machine.json")
+        for place in leaves(machine):
+            holder(machine, place)[place[-1]] = "unknown"
+        judge.validate(machine)
+
+    def test_host_name_only_where_asked_for(self):
+        for bundle in [self.fresh, *COMMITTED]:
+            self.assertNotIn("host_name", read(bundle, "machine.json")["system"])
+        with tempfile.TemporaryDirectory() as place:
+            Path(place, "s.toml").write_text('schema_version = 1\n[suite]\nid = "s"\ntitle = "S"\n[[study]]\nid = "a"\nkind = "accuracy"\n'
+                                             'degree = [3]\ntrials = 2\nmethods = ["direct"]\n', encoding="utf-8")
+            subprocess.run([PROGRAM, "run", "s.toml", "--quiet", "--out", "named", "--host-name"], cwd=place, check=True)
+            machine = read(Path(place, "named"), "machine.json")
+        validator("machine.json").validate(machine)
+        self.assertTrue(machine["system"]["host_name"])
 
 
 if __name__ == "__main__":

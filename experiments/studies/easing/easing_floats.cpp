@@ -209,8 +209,8 @@ void EasingFloatsJob::write(tables::Tables& tables) const {
       Eased<float> eased;
       kernels_[m]->ease_float(easing->curve, std::span(&worst, 1), &eased);
       const auto error = std::isfinite(eased.y)
-                             ? std::optional(easing->exact(worst).error_ulp(eased.y, reference::binary32))
-                             : std::nullopt;
+                             ? tables::field(easing->exact(worst).error_ulp(eased.y, reference::binary32))
+                             : tables::Field();
       tables.add(tables::Row("easing_floats.csv")
                      .set("study", study_.id)
                      .set("curve_id", easing->id)
