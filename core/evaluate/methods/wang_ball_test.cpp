@@ -87,28 +87,29 @@ TEST(WangBall, KeepsTheBoundOfItsOwnAmplification) {
   }
 }
 
-template <class Scalar>
-void expect_ends(int n) {
+/// The prepared curve of degree n, evaluated at its ends, which are values that round.
+template <class Method, class Scalar>
+auto with_exact_ends(int n, Scalar scale) {
   std::vector<Scalar> values;
-  for (int i = 0; i <= n; ++i) values.push_back(Scalar(i % 7) - Scalar(3.1));
-  const auto prepared = WangBall::prepare(curve_of(values));
-  EXPECT_EQ(WangBall::evaluate(prepared, Scalar(0))[0], values.front()) << "n " << n;
-  EXPECT_EQ(WangBall::evaluate(prepared, Scalar(1))[0], values.back()) << "n " << n;
+  for (int i = 0; i <= n; ++i) values.push_back(scale * (Scalar(i % 7) - Scalar(3.1)));
+  auto prepared = Method::prepare(curve_of(values));
+  EXPECT_EQ(Method::evaluate(prepared, Scalar(0))[0], values.front()) << "n " << n;
+  EXPECT_EQ(Method::evaluate(prepared, Scalar(1))[0], values.back()) << "n " << n;
+  return prepared;
+}
+
+template <class Scalar>
+void expect_finite_with_exact_ends(int n) {
+  const auto prepared = with_exact_ends<WangBall>(n, Scalar(1));
   for (int i = 0; i <= n; ++i) EXPECT_TRUE(std::isfinite(prepared.ball(0, i))) << "n " << n << " i " << i;
 }
 
 TEST(WangBall, EndsAreExactUpToTheDegreesThatItStates) {
-  for (const int n : {0, 1, 2, 7, 20, 90, WangBall::info.max_degree}) expect_ends<double>(n);
-  for (const int n : {0, 1, 2, 7, 20, 90, WangBall::info.max_degree_float}) expect_ends<float>(n);
+  for (const int n : {0, 1, 2, 7, 20, 90, WangBall::info.max_degree}) expect_finite_with_exact_ends<double>(n);
+  for (const int n : {0, 1, 2, 7, 20, 90, WangBall::info.max_degree_float}) expect_finite_with_exact_ends<float>(n);
 }
 
-}  // namespace
-
 // The points of Seiler's form: those published for the cubic, exactness over rationals, and the sums in its bound.
-
-namespace {
-
-constexpr double u = 0x1p-53;
 
 /// The weights of b_k in s_0, ..., s_n.
 template <class Scalar>
@@ -162,18 +163,9 @@ TEST(Seiler, ItsWeightsAddUpToWhatTheBoundSays) {
   }
 }
 
-template <class Scalar>
-void expect_ends(int n) {
-  std::vector<Scalar> values;
-  for (int i = 0; i <= n; ++i) values.push_back(Scalar(10000) * (Scalar(i % 7) - Scalar(3.1)));
-  const auto prepared = Seiler::prepare(curve_of(values));
-  EXPECT_EQ(Seiler::evaluate(prepared, Scalar(0))[0], values.front()) << "n " << n;
-  EXPECT_EQ(Seiler::evaluate(prepared, Scalar(1))[0], values.back()) << "n " << n;
-}
-
 TEST(Seiler, EndsAreExactUpToTheDegreesThatItStates) {
-  for (const int n : {0, 1, 2, 7, 20, 90, Seiler::info.max_degree}) expect_ends<double>(n);
-  for (const int n : {0, 1, 2, 7, 20, 90, Seiler::info.max_degree_float}) expect_ends<float>(n);
+  for (const int n : {0, 1, 2, 7, 20, 90, Seiler::info.max_degree}) with_exact_ends<Seiler>(n, 10000.0);
+  for (const int n : {0, 1, 2, 7, 20, 90, Seiler::info.max_degree_float}) with_exact_ends<Seiler>(n, 10000.0F);
 }
 
 }  // namespace
