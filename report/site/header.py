@@ -10,7 +10,7 @@ CORE = ROOT / "core"
 SECTION = re.compile(r"([A-Z][a-z]+): ")
 PROOF = re.compile(r"docs/proofs/\w+\.md")
 # The functions that are the methods, of evaluators and conversions first; the first that there is.
-FUNCTIONS = ("evaluate", "convert", "split", "project", "measure", "find", "flatten", "range", "run", "solve", "span", "fit", "interpolate", "at", "ease")
+FUNCTIONS = ("evaluate", "convert", "split", "project", "measure", "find", "flatten", "range", "run", "solve")
 LONGEST = 34  # lines of a function that is shown whole
 
 

@@ -29,7 +29,7 @@ FORM = {"bernstein": "Bernstein form", "power": "power form", "rational": "ratio
 CURVES = {"bernstein": "Bézier curves", "power": "curves in power form", "rational": "rational curves"}
 PROBLEM = {"bspline": "B-splines", "bounds": "boxes", "easing": "easing curves", "grid": "grids", "interpolation": "interpolation",
            "arc_length": "arc length", "inverse_arc_length": "points at a length", "projection": "nearest points"}
-NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_:]*")
+MENTIONED = re.compile(r"`([^`]+)`|([\w/]+\.(?:hpp|md)\b)|\b([A-Za-z]\w*_[\w:]*\w)")  # code, a file, a method or header of two words and more
 
 
 def address(method):
@@ -173,52 +173,34 @@ class Pages:
             for row in rows:
                 yield from (row["bound"], row["flops"])
 
-    def words(self, text, seen):
-        """HTML of words: code, files of core, proofs and other methods as links. `seen` collects the files."""
+    def words(self, text, own, files):
+        """HTML of words: code, files of core, proofs and methods as links, but for the names `own`. `files` collects the files."""
         def one(match):
-            name = match[0]
-            if name in seen.headers:
-                return html.escape(name)
-            if name in self.rows and "_" in name or name in self.stems and "_" in name:
-                if name in self.rows:
-                    return self.link(name, "..")
-                seen.files.add(self.stems[name])
-                return f'<a href="{posixpath.relpath(place(self.stems[name]), "methods")}"><code>{html.escape(name)}</code></a>'
-            return html.escape(name)
+            code, path, name = match.groups()
+            if code:
+                return f"<code>{code}</code>"
+            if path or (name in self.stems and name not in self.rows and name not in own):
+                file = self.stems[name] if name else path if (ROOT / path).exists() else self.files.get(posixpath.basename(path))
+                if file is None:
+                    return path
+                files.add(file)
+                shown = f"<code>{name}</code>" if name else posixpath.basename(path) if path.endswith(".hpp") else path
+                return f'<a href="{posixpath.relpath(place(file), "methods")}">{shown}</a>'
+            return self.link(name, "..") if name in self.rows and name not in own else name
 
-        def path(match):
-            name = match[0]
-            target = name if (ROOT / name).exists() else self.files.get(posixpath.basename(name))
-            if target is None:
-                return html.escape(name)
-            seen.files.add(target)
-            return f'<a href="{posixpath.relpath(place(target), "methods")}">{html.escape(posixpath.basename(name) if name.endswith(".hpp") else name)}</a>'
-
-        found = []
-        for part in re.split(r"(`[^`]+`|[\w/]+\.(?:hpp|md)\b)", text):
-            if part.startswith("`"):
-                found.append(f"<code>{html.escape(part.strip('`'))}</code>")
-            elif part.endswith((".hpp", ".md")):
-                found.append(path(re.match(r".*", part)))
-            else:
-                last = 0
-                for match in NAME.finditer(part):
-                    found += [html.escape(part[last:match.start()]), one(match)]
-                    last = match.end()
-                found.append(html.escape(part[last:]))
-        return "".join(found)
+        return MENTIONED.sub(one, html.escape(text, quote=False))
 
     def page(self, method, typeset, files):
         """The values of a method's template."""
         rows = self.rows[method]
         headers = header.of(method)
-        seen = _Seen({Path(one.path).stem for one in headers} | {method}, files)
+        own = {Path(one.path).stem for one in headers} | {method}
         form = rows[0]["form"]
         judged = f"{method}:{JUDGED_BY[form]}" if rows[0]["problem"] == "conversion" else method
         files.update(one.path for one in headers)
 
         def text(words):
-            return typeset(words, lambda part: self.words(part, seen))
+            return typeset(words, lambda part: self.words(part, own, files))
 
         name = rows[0]["problem"]
         atlas = f"atlas/{'ladder' if name == 'evaluation' else name}/index.html"  # suites are named after problems
@@ -253,10 +235,3 @@ class Pages:
 
     def composed(self):
         return [(method, posixpath.basename(address(method))) for method in self.rows if parts_of(method)]
-
-
-class _Seen:
-    """Names that a page does not link to, since they are its own, and the files that it links to."""
-
-    def __init__(self, headers, files):
-        self.headers, self.files = headers, files

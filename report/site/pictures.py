@@ -143,7 +143,7 @@ def error():
 
 def drawn(name):
     """A picture as SVG, for light and dark screens."""
-    return for_both_screens(finish(PICTURES[name](), name, "", "", "", bottom=0.05).drawing.svg, (PICTURES[name].__doc__ or "").strip())
+    return for_both_screens(finish(PICTURES[name](), figure_id=name, caption="", caption_zh="", alt="", bottom=0.05).drawing.svg, (PICTURES[name].__doc__ or "").strip())
 
 
 def labels(svg):
