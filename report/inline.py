@@ -13,7 +13,7 @@ _CODE = re.compile(r"`([^`]+)`")
 _STRONG = re.compile(r"\*\*([^*]+)\*\*")
 _HAN = re.compile(r"([\u3400-\u9fff][\u3000-\u303f\u3400-\u9fff\uff00-\uffef]*)")
 _NUMBER = re.compile(r"[0-9.e+-]*", re.ASCII)
-_WORD, _PART = re.compile(r"(?<=[a-z]_)(?=[a-z])"), re.compile(r"(?<=[:.])(?=[a-z])")  # where ids may be broken, in any text and in code
+_WORD, _PART = re.compile(r"(?<=[a-z0-9]_)(?=[a-z])"), re.compile(r"(?<=[:.])(?=[a-z])")  # where ids may be broken, in any text and in code
 _TOGETHER = re.compile(r"\d %|\bR = \S|\bu p~|\d (?:µs|ms|ulp)\b")  # never parted by a line break
 
 

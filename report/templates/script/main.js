@@ -1,18 +1,5 @@
 // Everything is put together here. Without it the page is whole, but still.
 
-// Whether the browser has a font for the Chinese captions: a glyph that is missing looks like any other that is.
-function lacksChinese() {
-  const canvas = make("canvas", { width: 40, height: 40 });
-  const pen = canvas.getContext("2d", { willReadFrequently: true });
-  const look = (text) => {
-    pen.clearRect(0, 0, 40, 40);
-    pen.font = "24px system-ui, 'Noto Sans CJK SC', 'PingFang SC', 'Microsoft YaHei', sans-serif";
-    pen.fillText(text, 4, 30);
-    return pen.getImageData(0, 0, 40, 40).data.join();
-  };
-  return look("误") === look("阶");
-}
-
 function goToPlace() {
   const target = place && document.getElementById(decodeURIComponent(place));
   if (target && location.hash.includes("?")) target.scrollIntoView();
@@ -36,9 +23,6 @@ function start() {
     if (element && id !== "answer-figure") dressDrawn(element, id === "time-against-error");
   }
   if (data.answer) showAnswer();
-  if (document.querySelector("[lang=zh-Hans]") && lacksChinese()) {
-    document.querySelector("header").append(make("p", { class: "note" }, "No font of this machine has the Chinese captions; fonts-noto-cjk or fonts-wqy-zenhei shows them."));
-  }
   goToPlace();
 }
 
