@@ -102,8 +102,8 @@ def times_as_ratios(bundle):
         not turned and 2 * (by["agrees"] + by["close"]) > len(testable),
         f"{said}; no order that it shows is reversed.",
         f"{said}; the order alone is kept by {by['kept']}, and reversed by {by['reversed']}.",
-        f"A printed time is a number of ticks of {TICK} ms and may be off by one, so a ratio of two is an interval: the same is asked of two "
-        f"machines. {count(by['untestable'], 'other ratio')} may be anything.",
+        f"A printed time is a number of ticks of {TICK} ms and may be off by one, so a ratio of two is an interval. "
+        f"{count(by['untestable'], 'other ratio')} may be anything.",
         f"The ratio that is furthest from its interval is {worst.label} at degree {shortest(worst['degree'])}, "
         f"{FORM[worst['form']][0]}: printed {words(*worst.printed)}, ours {general(worst.ours[1])} [{words(worst.ours[0], worst.ours[2])}], a factor of "
         f"{factor(worst.gap)}." if worst.gap > 1 else "",
