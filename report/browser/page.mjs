@@ -215,7 +215,7 @@ async function figures(page) {
   }
 }
 
-// The page of a bundle with many methods: at most eight lines until a reader wants all, each with values, in one colour throughout.
+// The page of a bundle with many methods: at most eight lines at first, each with values, in one colour throughout.
 async function leading(path) {
   const page = await open(path);
   const series = await page.evaluate(() => JSON.parse(document.getElementById("page-data").textContent).figures);
