@@ -16,7 +16,7 @@ namespace {
 constexpr double ns_per_second = 1e9;
 
 /// Runs a copy of the rival's function. The copy has the same place on the stack for every rival, and it allocates from
-/// the memory that the last copy freed (page_vector.hpp says why places matter).
+/// the memory that the last copy freed (PageVector says why places matter).
 double seconds_of(const Rival& rival, std::size_t batches, Clock clock) {
   const auto run = rival.run;
   const std::int64_t start = clock();

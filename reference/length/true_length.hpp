@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The true arc length of a Bezier curve, to at least 30 digits.
 //
-// length_panels.hpp says how it is integrated and what is proved.
+// The text above Hodograph says how it is integrated and what is proved.
 #pragma once
 
 #include <cstddef>
