@@ -68,15 +68,24 @@ def label(method, header):
     return found[1] if found else ""
 
 
+def _definition(name, text):
+    """The function of this name, a member or a free one, without its indentation."""
+    found = re.search(rf"^(?P<indent> *)(?:template <[^\n]*>\n *)?[^\n/=;]*\b{name}\((?:[^;{{}}]|\{{\}})*?\{{\n.*?^(?P=indent)\}}$", text,
+                      re.MULTILINE | re.DOTALL)
+    return "\n".join(line.removeprefix(found["indent"]) for line in found[0].splitlines()) if found else ""
+
+
 def code(method, header):
-    """The function that is the method, at most LONGEST lines of it; where a header only composes others, what it composes."""
+    """The function that is the method, with those of its header that it calls, or at most LONGEST lines of it alone; where a header
+    only composes others, what it composes."""
     at = header.text.find(f'"{method}"')
     start = max(header.text.rfind("\nstruct ", 0, at), 0) if at >= 0 else 0
     for text in (header.text[start:], header.text):
         for name in FUNCTIONS:
-            function = re.search(rf"^(  (?:template <[^\n]*>\n  )?[^\n/=;]*\b{name}\((?:[^;{{}}]|\{{\}})*?\{{\n.*?^  \}})$", text, re.MULTILINE | re.DOTALL)
-            if function:
-                return _cut(function[1])
+            if function := _definition(name, text):
+                called = [_definition(word, header.text) for word in dict.fromkeys(re.findall(r"\b(\w+)\(", function)) if word != name]
+                whole = "\n".join([*(text for text in called if text), function])
+                return _cut(whole if whole.count("\n") < LONGEST else function)
     composed = re.search(r"^(?:template <[^\n]*>\n)?(?:struct|using) .*?(?=\n\}  // namespace)", header.text[max(start, header.text.find("namespace bezierbench {")):],
                          re.MULTILINE | re.DOTALL)
     return _cut(composed[0]) if composed else ""
