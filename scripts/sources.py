@@ -111,7 +111,7 @@ def proof_findings(name, text, pages):
 def method_headers(root):
     """The names of the headers that a roster includes and that define a method."""
     included = {name for roster in (root / "core").rglob("roster.hpp") for name in INCLUDE.findall(roster.read_text())}
-    return sorted(name for name in included if re.search(r'\.id\s*=[^,;]*"', (root / name).read_text()))
+    return sorted(name for name in included if re.search(r'\.id\s*=(?!.*Literal<)[^,;]*"', (root / name).read_text()))
 
 
 def header_findings(name, text):

@@ -15,15 +15,12 @@ namespace bezierbench {
 
 template <class Method>
 struct OfRational : Method {
-  struct FlopsSuffix {
-    static constexpr std::string_view text = " of degree 2n - 1 for n, and of W";
-  };
-
   static constexpr MethodInfo info = [] {
     MethodInfo composed = Method::info;
     composed.form = Form::rational;
     composed.max_degree = rational_degree_limit;
-    composed.flops = detail::Joined<detail::FlopsOf<Method>, FlopsSuffix>::text;
+    composed.flops =
+        detail::Joined<detail::FlopsOf<Method>, detail::Literal<" of degree 2n - 1 for n, and of W">>::text;
     composed.prepare_exponent = 2;
     return composed;
   }();

@@ -24,25 +24,18 @@ requires(BsplineEvaluator<Method> || BsplineConversion<Method>) struct Homogeneo
   struct BoundPrefix {
     static constexpr std::string_view text = BoundText::text.empty() ? "" : "numerator and denominator: ";
   };
-  struct LabelSuffix {
-    static constexpr std::string_view text = ", homogeneous";
-  };
-  struct FlopsSuffix {
-    static constexpr std::string_view text = " with d + 1 for d; d divisions";
-  };
-  struct CitationSuffix {
-    static constexpr std::string_view text = "; [Piegl and Tiller 1997], section 4.2";
-  };
-  static constexpr MethodInfo info{.id = Method::info.id,
-                                   .label = detail::Joined<detail::LabelOf<Method>, LabelSuffix>::text,
-                                   .problem = Problem::bspline,
-                                   .form = Form::rational,
-                                   .min_degree = Method::info.min_degree,
-                                   .promise = detail::Joined<BoundPrefix, BoundText>::text,
-                                   .flops = detail::Joined<detail::FlopsOf<Method>, FlopsSuffix>::text,
-                                   .cost_exponent = Method::info.cost_exponent,
-                                   .prepare_exponent = Method::info.prepare_exponent,
-                                   .citation = detail::Joined<detail::CitationOf<Method>, CitationSuffix>::text};
+  static constexpr MethodInfo info{
+      .id = Method::info.id,
+      .label = detail::Joined<detail::LabelOf<Method>, detail::Literal<", homogeneous">>::text,
+      .problem = Problem::bspline,
+      .form = Form::rational,
+      .min_degree = Method::info.min_degree,
+      .promise = detail::Joined<BoundPrefix, BoundText>::text,
+      .flops = detail::Joined<detail::FlopsOf<Method>, detail::Literal<" with d + 1 for d; d divisions">>::text,
+      .cost_exponent = Method::info.cost_exponent,
+      .prepare_exponent = Method::info.prepare_exponent,
+      .citation =
+          detail::Joined<detail::CitationOf<Method>, detail::Literal<"; [Piegl and Tiller 1997], section 4.2">>::text};
 };
 
 }  // namespace bezierbench

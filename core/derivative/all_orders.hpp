@@ -14,24 +14,13 @@
 
 namespace bezierbench {
 
-namespace detail {
-
-struct AllOrdersId {
-  static constexpr std::string_view text = "all_orders_";
-};
-struct AllOrdersLabel {
-  static constexpr std::string_view text = "All orders in one call: ";
-};
-
-}  // namespace detail
-
 template <AllOrdersMethod M>
 struct AllOrders {
   static constexpr DerivativeBound bound = M::bound;
   static constexpr MethodInfo info = [] {
     MethodInfo composed = M::info;
-    composed.id = detail::Joined<detail::AllOrdersId, detail::IdOf<M>>::text;
-    composed.label = detail::Joined<detail::AllOrdersLabel, detail::LabelOf<M>>::text;
+    composed.id = detail::Joined<detail::Literal<"all_orders_">, detail::IdOf<M>>::text;
+    composed.label = detail::Joined<detail::Literal<"All orders in one call: ">, detail::LabelOf<M>>::text;
     composed.flops = M::flops_of_all;
     composed.prepare_exponent = 1;
     return composed;

@@ -26,9 +26,6 @@ struct RationalQuotient {
   struct LabelSuffix {
     static constexpr std::string_view text = is_local ? ", quotient about the nearer end" : ", quotient";
   };
-  struct BoundPrefix {
-    static constexpr std::string_view text = "numerator and denominator: ";
-  };
   struct PromiseOf {
     static constexpr std::string_view text = Method::bound.text;
   };
@@ -40,9 +37,6 @@ struct RationalQuotient {
                                                  ? " with d + 1 for d; d((k+1)(2k+1) + n + 2), d(k+1) of them divisions"
                                                  : " with d + 1 for d; d((k+1)(2k+1) + 1), d(k+1) of them divisions";
   };
-  struct CitationSuffix {
-    static constexpr std::string_view text = "; [Piegl and Tiller 1997], eq. (4.8)";
-  };
 
   static constexpr DerivativeBound polynomial_bound = Method::bound;
   static constexpr MethodInfo info = [] {
@@ -50,11 +44,13 @@ struct RationalQuotient {
     composed.id = detail::Joined<IdPrefix, detail::IdOf<Method>>::text;
     composed.label = detail::Joined<detail::LabelOf<Method>, LabelSuffix>::text;
     composed.form = Form::rational;
-    composed.promise = is_local ? std::string_view() : detail::Joined<BoundPrefix, PromiseOf>::text;
+    composed.promise =
+        is_local ? std::string_view() : detail::Joined<detail::Literal<"numerator and denominator: ">, PromiseOf>::text;
     composed.flops = detail::Joined<FlopsOfAll, FlopsSuffix>::text;
     composed.cost_exponent = 2;
     composed.prepare_exponent = 1;
-    composed.citation = detail::Joined<detail::CitationOf<Method>, CitationSuffix>::text;
+    composed.citation =
+        detail::Joined<detail::CitationOf<Method>, detail::Literal<"; [Piegl and Tiller 1997], eq. (4.8)">>::text;
     return composed;
   }();
 

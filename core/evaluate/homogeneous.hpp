@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "core/evaluate/joined.hpp"
+#include "core/homogeneous_coordinates.hpp"
 
 namespace bezierbench {
 
@@ -50,56 +51,41 @@ requires(Method::info.form == Form::bernstein) struct Homogeneous : FixedDegrees
   /// The underflow of the polynomial method and, for each product w_i b_i, half a unit more.
   static constexpr double bound_underflow(int n) { return 2 * Method::info.bound->underflow(n) + 1; }
 
-  struct BoundPrefix {
-    static constexpr std::string_view text = "numerator and denominator: ";
-  };
   static constexpr std::optional<ErrorBound> bound() {
     if constexpr (Method::info.bound && Method::info.bound->amplification == Amplification::p_tilde_bernstein &&
                   Method::info.bound->result_roundings == 0)
-      return ErrorBound{.text = detail::Joined<BoundPrefix, detail::BoundOf<Method>>::text,
-                        .amplification = Amplification::p_tilde_bernstein,
-                        .factor = bound_factor,
-                        .underflow = bound_underflow,
-                        .underflow_scales_with_coefficients = Method::info.bound->underflow_scales_with_coefficients,
-                        .growth = Method::info.bound->growth,
-                        .unit_interval_only = true};
+      return ErrorBound{
+          .text = detail::Joined<detail::Literal<"numerator and denominator: ">, detail::BoundOf<Method>>::text,
+          .amplification = Amplification::p_tilde_bernstein,
+          .factor = bound_factor,
+          .underflow = bound_underflow,
+          .underflow_scales_with_coefficients = Method::info.bound->underflow_scales_with_coefficients,
+          .growth = Method::info.bound->growth,
+          .unit_interval_only = true};
     else
       return std::nullopt;
   }
 
-  struct LabelSuffix {
-    static constexpr std::string_view text = ", homogeneous";
-  };
-  struct FlopsSuffix {
-    static constexpr std::string_view text = " with d + 1 for d; d divisions";
-  };
-  struct CitationSuffix {
-    static constexpr std::string_view text = "; [Farin 1983]";
-  };
-  static constexpr MethodInfo info{.id = Method::info.id,
-                                   .label = detail::Joined<detail::LabelOf<Method>, LabelSuffix>::text,
-                                   .form = Form::rational,
-                                   .min_degree = Method::info.min_degree,
-                                   .max_degree = Method::info.max_degree,
-                                   .max_degree_float = Method::info.max_degree_float,
-                                   .unit_interval_only = Method::info.unit_interval_only,
-                                   .bound = bound(),
-                                   .bit_stable = Method::info.bit_stable,
-                                   .fused = Method::info.fused,
-                                   .one_minus_t = Method::info.one_minus_t,
-                                   .flops = detail::Joined<detail::FlopsOf<Method>, FlopsSuffix>::text,
-                                   .cost_exponent = Method::info.cost_exponent,
-                                   .prepare_exponent = Method::info.prepare_exponent,
-                                   .citation = detail::Joined<detail::CitationOf<Method>, CitationSuffix>::text};
+  static constexpr MethodInfo info{
+      .id = Method::info.id,
+      .label = detail::Joined<detail::LabelOf<Method>, detail::Literal<", homogeneous">>::text,
+      .form = Form::rational,
+      .min_degree = Method::info.min_degree,
+      .max_degree = Method::info.max_degree,
+      .max_degree_float = Method::info.max_degree_float,
+      .unit_interval_only = Method::info.unit_interval_only,
+      .bound = bound(),
+      .bit_stable = Method::info.bit_stable,
+      .fused = Method::info.fused,
+      .one_minus_t = Method::info.one_minus_t,
+      .flops = detail::Joined<detail::FlopsOf<Method>, detail::Literal<" with d + 1 for d; d divisions">>::text,
+      .cost_exponent = Method::info.cost_exponent,
+      .prepare_exponent = Method::info.prepare_exponent,
+      .citation = detail::Joined<detail::CitationOf<Method>, detail::Literal<"; [Farin 1983]">>::text};
 
   template <class Scalar, int Dimension, int Degree>
   static auto prepare(const Curve<Form::rational, Scalar, Dimension, Degree>& curve) {
-    Curve<Form::bernstein, Scalar, Dimension + 1, Degree> lifted(curve.degree());
-    for (int i = 0; i <= curve.degree(); ++i) {
-      for (int axis = 0; axis < Dimension; ++axis) lifted(axis, i) = curve.weights[i] * curve.points(axis, i);
-      lifted(Dimension, i) = curve.weights[i];
-    }
-    return Method::prepare(lifted);
+    return Method::prepare(homogeneous(curve));
   }
 
   template <class Prepared, class Scalar>

@@ -12,6 +12,15 @@ namespace bezierbench::detail {
 
 // Parts of a text, each a type with a name, of which the texts of compositions are made at compile time. (Lambdas have
 // names that differ between translation units; the linker would drop a text that another unit refers to.)
+template <std::size_t Size>
+struct Characters {
+  consteval Characters(const char (&literal)[Size]) { std::copy(literal, literal + Size, data); }
+  char data[Size]{};
+};
+template <Characters Given>
+struct Literal {
+  static constexpr std::string_view text{Given.data, sizeof(Given.data) - 1};
+};
 template <class M>
 struct IdOf {
   static constexpr std::string_view text = M::info.id;

@@ -26,25 +26,6 @@ namespace bezierbench {
 
 namespace detail {
 
-struct LocalPrefix {
-  static constexpr std::string_view text = "local:";
-};
-struct LocalLabel {
-  static constexpr std::string_view text = "About the nearer end: ";
-};
-struct LocalBound {
-  static constexpr std::string_view text = "u |p|; about the nearer end, ";
-};
-struct LocalSource {
-  static constexpr std::string_view text = ", about the nearer end: derived here";
-};
-struct LocalFlops {
-  static constexpr std::string_view text = " + d + 1";
-};
-struct LocalFlopsByPower {
-  static constexpr std::string_view text = " + 1";
-};
-
 /// The only curve of a prepared state.
 template <class State>
 const auto& only_curve(const State& state) {
@@ -72,8 +53,8 @@ inline constexpr int further_degree = Method::info.max_degree_float < bezierbenc
 /// The data that both kinds of local methods share.
 template <class Method, class Flops>
 constexpr MethodInfo local_info(const std::optional<ErrorBound>& bound) {
-  return {.id = Joined<LocalPrefix, IdOf<Method>>::text,
-          .label = Joined<LocalLabel, LabelOf<Method>>::text,
+  return {.id = Joined<Literal<"local:">, IdOf<Method>>::text,
+          .label = Joined<Literal<"About the nearer end: ">, LabelOf<Method>>::text,
           .form = Form::bernstein,
           .min_degree = Method::info.min_degree,
           .max_degree = Method::info.max_degree - further_degree<Method>,
@@ -86,7 +67,7 @@ constexpr MethodInfo local_info(const std::optional<ErrorBound>& bound) {
           .flops = Joined<FlopsOf<Method>, Flops>::text,
           .cost_exponent = Method::info.cost_exponent,
           .prepare_exponent = Method::info.prepare_exponent,
-          .citation = Joined<CitationOf<Method>, LocalSource>::text};
+          .citation = Joined<CitationOf<Method>, Literal<", about the nearer end: derived here">>::text};
 }
 
 }  // namespace detail
@@ -98,15 +79,16 @@ requires(Method::info.form == Form::bernstein) struct Local : FixedDegreesOf<Met
     const double factor = Method::info.bound->factor(n, u) + Method::info.bound->result_roundings;
     return (1 + u) * (1 + factor + factor * u);
   }
-  static constexpr ErrorBound bound{.text = detail::Joined<detail::LocalBound, detail::BoundOf<Method>>::text,
-                                    .amplification = Amplification::spread,
-                                    .factor = bound_factor,
-                                    .underflow = Method::info.bound->underflow,
-                                    .underflow_scales_with_coefficients = true,
-                                    .growth = [](int n) { return 2 * Method::info.bound->growth(n) + 1; },
-                                    .unit_interval_only = true,
-                                    .result_roundings = 1};
-  static constexpr MethodInfo info = detail::local_info<Method, detail::LocalFlops>(bound);
+  static constexpr ErrorBound bound{
+      .text = detail::Joined<detail::Literal<"u |p|; about the nearer end, ">, detail::BoundOf<Method>>::text,
+      .amplification = Amplification::spread,
+      .factor = bound_factor,
+      .underflow = Method::info.bound->underflow,
+      .underflow_scales_with_coefficients = true,
+      .growth = [](int n) { return 2 * Method::info.bound->growth(n) + 1; },
+      .unit_interval_only = true,
+      .result_roundings = 1};
+  static constexpr MethodInfo info = detail::local_info<Method, detail::Literal<" + d + 1">>(bound);
   /// Each lane of a sum chooses between two coefficients.
   static constexpr LaneRegisters lanes =
       info.cost_exponent > 1 ? Method::lanes : LaneRegisters{.per_axis = 1, .shared = 3};
@@ -163,12 +145,12 @@ requires(Via<Converter, Method>::counts_from_start()) struct Local<Via<Converter
 
   static constexpr ErrorBound bound() {
     auto local = Path::from_start;
-    local.text = detail::Joined<detail::LocalBound, detail::BoundOf<Path>>::text;
+    local.text = detail::Joined<detail::Literal<"u |p|; about the nearer end, ">, detail::BoundOf<Path>>::text;
     local.amplification = Amplification::spread_to_power;
     local.unit_interval_only = true;
     return local;
   }
-  static constexpr MethodInfo info = detail::local_info<Path, detail::LocalFlopsByPower>(bound());
+  static constexpr MethodInfo info = detail::local_info<Path, detail::Literal<" + 1">>(bound());
   static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 3};
 
   static constexpr auto kept() {

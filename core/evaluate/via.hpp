@@ -12,26 +12,6 @@
 
 namespace bezierbench {
 
-namespace detail {
-
-struct Colon {
-  static constexpr std::string_view text = ":";
-};
-struct Then {
-  static constexpr std::string_view text = " > ";
-};
-struct And {
-  static constexpr std::string_view text = "; ";
-};
-struct ConversionWord {
-  static constexpr std::string_view text = "conversion ";
-};
-struct EvaluationWord {
-  static constexpr std::string_view text = "; evaluation ";
-};
-
-}  // namespace detail
-
 /// `Converter` followed by `Method`; exists where the forms meet.
 template <Conversion Converter, Evaluator Method>
 requires(Converter::target == Method::info.form) struct Via {
@@ -79,8 +59,8 @@ requires(Converter::target == Method::info.form) struct Via {
     return degree;
   }
   static constexpr ErrorBound bound_of_coefficients() {
-    return {.text = detail::Joined<detail::ConversionWord, detail::BoundOf<Converter>, detail::EvaluationWord,
-                                   detail::BoundOf<Method>>::text,
+    return {.text = detail::Joined<detail::Literal<"conversion ">, detail::BoundOf<Converter>,
+                                   detail::Literal<"; evaluation ">, detail::BoundOf<Method>>::text,
             .amplification = Converter::info.bound->amplification,
             .factor = bound_factor,
             .underflow = bound_underflow,
@@ -121,8 +101,8 @@ requires(Converter::target == Method::info.form) struct Via {
   }
 
   static constexpr MethodInfo info{
-      .id = detail::Joined<detail::IdOf<Converter>, detail::Colon, detail::IdOf<Method>>::text,
-      .label = detail::Joined<detail::LabelOf<Converter>, detail::Then, detail::LabelOf<Method>>::text,
+      .id = detail::Joined<detail::IdOf<Converter>, detail::Literal<":">, detail::IdOf<Method>>::text,
+      .label = detail::Joined<detail::LabelOf<Converter>, detail::Literal<" > ">, detail::LabelOf<Method>>::text,
       .form = Converter::info.form,
       .min_degree = std::max(Converter::info.min_degree, Method::info.min_degree),
       .max_degree = degree_in_range<double>(std::min(Converter::info.max_degree, Method::info.max_degree)),
@@ -136,7 +116,8 @@ requires(Converter::target == Method::info.form) struct Via {
       .flops = Method::info.flops,
       .cost_exponent = Method::info.cost_exponent,
       .prepare_exponent = std::max(Converter::info.cost_exponent, Method::info.prepare_exponent),
-      .citation = detail::Joined<detail::CitationOf<Converter>, detail::And, detail::CitationOf<Method>>::text};
+      .citation =
+          detail::Joined<detail::CitationOf<Converter>, detail::Literal<"; ">, detail::CitationOf<Method>>::text};
 
   template <class Scalar, int Dimension, int Degree>
   static auto prepare(const Curve<info.form, Scalar, Dimension, Degree>& curve) {

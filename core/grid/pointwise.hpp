@@ -14,14 +14,6 @@
 
 namespace bezierbench {
 
-namespace detail {
-
-struct Pointwise {
-  static constexpr std::string_view text = "pointwise_";
-};
-
-}  // namespace detail
-
 template <Evaluator E>
 struct Pointwise {
   static_assert(E::info.bound->result_roundings == 0);
@@ -33,7 +25,7 @@ struct Pointwise {
       .underflow = [](int n, int /*steps*/) { return E::info.bound->underflow(n); },
       .underflow_scales_with_coefficients = E::info.bound->underflow_scales_with_coefficients,
       .growth = [](int n, int /*steps*/) { return E::info.bound->growth(n); }};
-  static constexpr MethodInfo info{.id = detail::Joined<detail::Pointwise, detail::IdOf<E>>::text,
+  static constexpr MethodInfo info{.id = detail::Joined<detail::Literal<"pointwise_">, detail::IdOf<E>>::text,
                                    .label = E::info.label,
                                    .problem = Problem::grid,
                                    .form = E::info.form,

@@ -27,34 +27,23 @@ requires(Method::info.form == Form::bernstein) struct HomogeneousSplit {
                                           .reproduces_constants = false,
                                           .mirrors = Method::promises.mirrors};
 
-  struct BoundPrefix {
-    static constexpr std::string_view text = "numerator and denominator: ";
-  };
   struct BoundText {
     static constexpr std::string_view text = Method::bound.text;
   };
-  struct LabelSuffix {
-    static constexpr std::string_view text = ", homogeneous";
-  };
-  struct FlopsSuffix {
-    static constexpr std::string_view text = " with d + 1 for d; 2d(n+1) divisions";
-  };
-  struct CitationSuffix {
-    static constexpr std::string_view text = "; [Farin 1983]";
-  };
-  static constexpr MethodInfo info{.id = Method::info.id,
-                                   .label = detail::Joined<detail::LabelOf<Method>, LabelSuffix>::text,
-                                   .problem = Problem::subdivision,
-                                   .form = Form::rational,
-                                   .min_degree = Method::info.min_degree,
-                                   .max_degree = Method::info.max_degree,
-                                   .max_degree_float = Method::info.max_degree_float,
-                                   .promise = detail::Joined<BoundPrefix, BoundText>::text,
-                                   .bit_stable = Method::info.bit_stable,
-                                   .one_minus_t = Method::info.one_minus_t,
-                                   .flops = detail::Joined<detail::FlopsOf<Method>, FlopsSuffix>::text,
-                                   .cost_exponent = Method::info.cost_exponent,
-                                   .citation = detail::Joined<detail::CitationOf<Method>, CitationSuffix>::text};
+  static constexpr MethodInfo info{
+      .id = Method::info.id,
+      .label = detail::Joined<detail::LabelOf<Method>, detail::Literal<", homogeneous">>::text,
+      .problem = Problem::subdivision,
+      .form = Form::rational,
+      .min_degree = Method::info.min_degree,
+      .max_degree = Method::info.max_degree,
+      .max_degree_float = Method::info.max_degree_float,
+      .promise = detail::Joined<detail::Literal<"numerator and denominator: ">, BoundText>::text,
+      .bit_stable = Method::info.bit_stable,
+      .one_minus_t = Method::info.one_minus_t,
+      .flops = detail::Joined<detail::FlopsOf<Method>, detail::Literal<" with d + 1 for d; 2d(n+1) divisions">>::text,
+      .cost_exponent = Method::info.cost_exponent,
+      .citation = detail::Joined<detail::CitationOf<Method>, detail::Literal<"; [Farin 1983]">>::text};
 
   template <class Scalar, int Dimension, int Degree>
   static Halves<Curve<Form::rational, Scalar, Dimension, Degree>> split(
