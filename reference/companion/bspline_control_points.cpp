@@ -181,7 +181,7 @@ mpq_class diagonal(const std::vector<Homogeneous>& points, std::size_t dimension
 /// With numerators A, A' and weights w, w' of the two, C = A / w, and sum (A_i - w_i C) N_i = 0 at every t,
 ///   C' - C = sum (A'_i - w'_i C) N_i / w' = sum (A'_i - w'_i d_i + (w'_i - w_i) (d_i - C)) N_i / w',
 /// where |d_i - C| is at most the diagonal of a box of all control points. For polynomial curves it is |d'_i - d_i|.
-mpq_class largest_distance(const ExactBspline& curve, const ExactBspline& other, std::size_t dimension) {
+mpq_class largest_deviation(const ExactBspline& curve, const ExactBspline& other, std::size_t dimension) {
   const bool is_rational = curve.points.front().size() > dimension;
   mpq_class least_weight = 1;
   mpq_class across = 0;
@@ -273,7 +273,7 @@ std::optional<KnotRemoval> with_knots_removed(const BsplineCurve& curve, std::sp
   for (const double knot : knots) {
     auto less = without_knot(exact, knot);
     if (!has_positive_weights(less, curve.dimension)) return std::nullopt;
-    deviation += largest_distance(exact, over_knots(less, less.n, exact.knots), dimension);
+    deviation += largest_deviation(exact, over_knots(less, less.n, exact.knots), dimension);
     exact = std::move(less);
   }
   auto result = *rounded_bspline(exact, curve.dimension);
@@ -282,7 +282,7 @@ std::optional<KnotRemoval> with_knots_removed(const BsplineCurve& curve, std::sp
   if (!std::ranges::all_of(result.control_points, is_finite) || !std::ranges::all_of(result.weights, is_finite))
     return KnotRemoval{std::move(result), std::numeric_limits<double>::infinity()};
   const auto rounded = exact_bspline(result);
-  deviation += largest_distance(exact, rounded, dimension);
+  deviation += largest_deviation(exact, rounded, dimension);
   auto both = given.points;
   both.insert(both.end(), rounded.points.begin(), rounded.points.end());
   return KnotRemoval{std::move(result), rounded_up(std::min(deviation, diagonal(both, dimension)))};

@@ -227,7 +227,6 @@ class Fraction {
 
 /// Extends the range to the value at a root of the slope, which `p` is without multiple roots.
 void include(const Fraction& fraction, const IntegerPolynomial& p, RootInterval root, ExactRange& range) {
-  constexpr unsigned long first_bits = 64;
   constexpr unsigned long bits_before_comparison = 256;
   for (unsigned long bits = first_bits;; bits *= 2) {
     refine(p, root, bits);
