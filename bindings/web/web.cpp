@@ -7,8 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "bindings/c/chosen.hpp"
-#include "reference/error/coordinate_error.hpp"
+#include "bindings/c/curve.hpp"
+#include "core/bspline/kernel.hpp"
+#include "core/derivative/kernel.hpp"
+#include "core/fit/kernel.hpp"
+#include "core/grid/kernel.hpp"
+#include "reference/error/trial_scale.hpp"
 #include "reference/exact_curve.hpp"
 
 using namespace bezierbench;
@@ -27,6 +31,14 @@ void at_each(const CurveView<double>& curve, const double* t, std::size_t count,
 }
 
 }  // namespace
+
+// Problems that the module has no functions for are not on the list of methods, and their code is left out.
+namespace bezierbench {
+std::span<const BsplineKernel> bspline_kernels(int /*dimension*/) { return {}; }
+std::span<const DerivativeKernel> derivative_kernels(int /*dimension*/) { return {}; }
+std::span<const FittingKernel> fitting_kernels(int /*dimension*/) { return {}; }
+std::span<const GridKernel> grid_kernels(int /*dimension*/) { return {}; }
+}  // namespace bezierbench
 
 extern "C" {
 

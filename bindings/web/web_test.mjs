@@ -40,7 +40,7 @@ for await (const line of createInterface({ input: createReadStream(`${folder}/qu
   const [number, name, ...rest] = question;
   const curve = curves[number];
   const before = numbers;
-  numbers = count > 0 ? expected.subarray(place, place += count) : [];
+  numbers = typeof count === "number" && count > 0 ? expected.subarray(place, place += count) : [];
   let answer;
   try {
     answer = ask(curve, name, rest, before);

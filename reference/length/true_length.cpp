@@ -2,7 +2,9 @@
 #include "reference/length/true_length.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 #include <utility>
@@ -124,6 +126,13 @@ Hodograph<Real> rational_hodograph(const CurveView<double>& curve, double from, 
   return h;
 }
 
+/// With two digits. A number's own str() would link all of iostream, which no other part of the reference uses.
+std::string text_of(double share) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.2g", share);
+  return text.data();
+}
+
 }  // namespace
 
 template <class Real>
@@ -201,8 +210,9 @@ void LengthPanels<Real>::add(SpeedSeries<Real> series, const Real& begin, const 
 
 NotCertain::NotCertain(LongReal length, const LongReal& uncertainty)
     : std::runtime_error("the true length is not certain to 30 digits, " +
-                         (uncertainty < length ? "only to " + LongReal(uncertainty / length).str(2) + " of itself"
-                                               : std::string("nor to one"))),
+                         (uncertainty < length
+                              ? "only to " + text_of(static_cast<double>(uncertainty / length)) + " of itself"
+                              : std::string("nor to one"))),
       length_(std::move(length)),
       has_digits_(uncertainty < length_) {}
 

@@ -100,9 +100,16 @@ bool inside_unit_interval(const Axes<Number, Dimension, held>& t) {
   return inside_unit_interval(t.lane(0));
 }
 
+#ifdef __wasm__
+inline constexpr bool is_compiled_for_web = true;  // size counts there: every visitor of a page loads all kernels
+#else
+inline constexpr bool is_compiled_for_web = false;
+#endif
+
 template <class Number, int Dimension>
-inline constexpr bool writes_out_steps<Axes<Number, Dimension>> = true;
+inline constexpr bool writes_out_steps<Axes<Number, Dimension>> = !is_compiled_for_web;
 template <class Number, int Dimension>
-inline constexpr TriangleOrder triangle_order<Axes<Number, Dimension>>{.width = 4, .ends_in_registers = true};
+inline constexpr TriangleOrder triangle_order<Axes<Number, Dimension>>{.width = 4,
+                                                                       .ends_in_registers = !is_compiled_for_web};
 
 }  // namespace bezierbench
