@@ -70,7 +70,7 @@ ADDITIONS = [
     (r"experiments/(run|cli)/", "experiments/terminal.hpp", "progress and lists fit the terminal"),
     (r"experiments/", "experiments/number", "values as bytes are one format"),
     (r"experiments/", "reference/number", "how a number is written is one spelling"),
-    (r"core/(convert|bounds|easing)/exact|core/evaluate/schemes/correctly_rounded_integers", "Boost.Multiprecision", "exact results need big integers"),
+    (r"core/(convert|bounds|easing)/exact", "Boost.Multiprecision", "exact results need big integers"),
     (r"", "{fmt}", "GCC 12 has no std::format"),
     (r"experiments/", "POSIX", "files, processes and clocks are the harness's business"),
     (

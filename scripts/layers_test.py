@@ -39,6 +39,7 @@ FORBIDDEN = [
     ("experiments/studies/accuracy/accuracy.cpp", '#include "experiments/cli/options.hpp"'),
     ("bindings/c/exact.cpp", '#include "experiments/metric/tally.hpp"'),
     ("reference/exact.hpp", '#include "core/bound/error_bound.hpp"'),
+    ("core/evaluate/schemes/correctly_rounded_integers.hpp", "#include <boost/multiprecision/cpp_int.hpp>"),
     # the right folder, the wrong file
     ("reference/exact.hpp", '#include "core/evaluate/methods/horner.hpp"'),
     ("experiments/suite/parse.cpp", '#include "core/evaluate/roster.hpp"'),

@@ -60,7 +60,7 @@ def all_headers():
 def of(method):
     """The headers of a method's id: those that spell it, or, where ids are made of parts, the beginning of it."""
     spelled = tuple(one for one in all_headers() if f'"{method}"' in one.text)
-    return spelled or tuple(one for one in all_headers() if any(method.startswith(start) for start in re.findall(r'text = "(\w+[_:])"', one.text)))
+    return spelled or tuple(one for one in all_headers() if any(method.startswith(start) for start in re.findall(r'Literal<"(\w+[_:])"', one.text)))
 
 
 def label(method, header):
