@@ -52,7 +52,7 @@ BundleDirectory BundleDirectory::create(const fs::path& path) {
 }
 
 BundleDirectory BundleDirectory::open(const fs::path& path) {
-  if (!is_bundle(path)) fail(path, "is not a bundle; give a folder that bezierbench run wrote");
+  if (!is_bundle(path)) fail(path, "is not a bundle; give a folder that `bezierbench run` wrote");
   return BundleDirectory(path);
 }
 

@@ -18,9 +18,12 @@ class CommandLine(Case):
                 (["list", "complte"], "unknown command; known are"), (["curve", "evl"], "did you mean \"eval\"?"),
                 (["--nonsense"], "--help"), (["chose", "results/answers", "--degree", "3"], "chose: unknown command; did you mean \"choose\"?"),
                 (["curve", "evl", "--curve=c", "--t", "0.5"], "evl: unknown command; did you mean \"eval\"?"), (["rnu", "--help"], "rnu: unknown command"), (["run", "--oot", "b", "--help"], "--oot"),
-                (["run"], "SUITE is required; see bezierbench run --help"), (["run", suite], "--out"), (["run", suite, "--out"], "--out"),
+                (["run"], "SUITE is required; see `bezierbench run --help`"), (["run", suite], "--out"), (["run", suite, "--out"], "--out"),
                 (["run", suite, "--oot=b"], "--oot: unknown option; did you mean \"--out\"?"),
                 (["run", suite, "--out", ""], "--out"), (["run", suite, "--out", "b", "--out", "c"], "--out"),
+                (["curve", "--path", "M0,0 1,1", "eval"], "--path: stands before its command; write it after `bezierbench curve eval`; see"),
+                (["list", "--format", "csv", "methods"], "write it after `bezierbench list methods`"),
+                (["--quiet", "run", "report"], "write it after `bezierbench run`"),
                 (["verify", "b", "c"], "c: is one argument too many"), (["curve", "eval", "--curve", "c"], "--t"),
                 (["list", "methods", "--format", "cvs"], "did you mean \"csv\"?")]:
             with self.subTest(arguments=arguments):
@@ -101,7 +104,9 @@ class Lists(Case):
                 self.assertEqual(rows(self.fine("list", "methods", *options, "--format", "csv")), wanted)
                 words = self.fine("list", "methods", *options).split()
                 self.assertEqual([row["id"] for row in wanted if row["id"] not in words], [])
-        self.refused(USAGE, ["list", "methods", "no_such_*"], "no method passes all of these filters")
+        for filters in (["no_such_*"], ["horner", "--problem", "subdivision"]):
+            self.refused(USAGE, ["list", "methods", *filters], "no method passes all of these filters")
+        self.refused(USAGE, ["list", "methods", "de_casteljo"], 'de_casteljo: no such method; did you mean "de_casteljau"?')
         self.refused(USAGE, ["list", "methods", "--guarantee", "in_hul"], "did you mean \"in_hull\"?")
         self.assertIn("in_hull:1", self.fine("list", "methods", "--guarantee", "in_hull"))  # kept up to degree 1 only
 

@@ -69,6 +69,8 @@ std::string misplaced_word(const CLI::App& app) {
     std::vector<std::string> known;
     for (const auto* one : options_of(command))
       if (one->nonpositional()) known.push_back(one->get_name());
+    if (std::ranges::find(known, name) != known.end())  // of the command, but written before it
+      return fmt::format("{}: stands before its command; write it after `{}`", name, full_name(command));
     return fmt::format("{}: unknown option{}", name, suite::suggestion(name, known));
   }
   if (lacks_command)
@@ -126,7 +128,7 @@ std::string help_of(const CLI::App& app) {
 }
 
 [[noreturn]] void refuse(const CLI::App& app, const std::string& what) {
-  throw Failure(Exit::usage, "{}; see {} --help", what, full_name(chosen_command(app)));
+  throw Failure(Exit::usage, "{}; see `{} --help`", what, full_name(chosen_command(app)));
 }
 
 /// Help is given for commands that exist, not for a mistyped one.

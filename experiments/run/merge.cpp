@@ -31,7 +31,8 @@ namespace fs = std::filesystem;
 struct Source {
   explicit Source(const fs::path& path) : folder(path) {
     if (!folder.is_begun())
-      throw Failure(Exit::input_output, "{}: is not a bundle; give a folder that bezierbench run wrote", path.string());
+      throw Failure(Exit::input_output, "{}: is not a bundle; give a folder that `bezierbench run` wrote",
+                    path.string());
     if (folder.has_blocks()) folder.lock_for_merge();
     machine_text = folder.directory().read_listed(machine_name);
     folder.read_blocks();
@@ -82,7 +83,7 @@ void refuse_gaps(const Checkpoints& checkpoints, const Plan& plan, const RunRequ
   if (first)
     refuse(request.out,
            fmt::format("{} of {} blocks are missing, the first of study \"{}\"; name all shards, or finish "
-                       "theirs with bezierbench run --shard",
+                       "theirs with `bezierbench run --shard`",
                        all - there, all, plan.job_names[*first]));
 }
 
@@ -113,12 +114,12 @@ WholeBundle copy_of(const Source& source) {
   const auto& bundle = source.folder.directory();
   const std::string digests = bundle.read_listed(bundle::digests_name);
   if (bundle::sha256_hex(digests) != source.folder.manifest().accuracy_digest)
-    refuse(source.path(), "is complete, but its accuracy digest is that of other files; see bezierbench verify");
+    refuse(source.path(), "is complete, but its accuracy digest is that of other files; see `bezierbench verify`");
   WholeBundle whole{.files = {}, .digests = bundle::parse_digests(bundle::parse_csv(digests, bundle::digests_name))};
   for (const auto& [name, digest] : bundle::parse_sums(bundle.read(bundle::sums_name)).digests) {
     if (name == bundle::manifest_name || name == bundle::digests_name) continue;  // which finish() writes
     if (name != suite_name && name != machine_name && bundle::declared_table(name) == nullptr)
-      refuse(source.path() / name, "is listed in SHA256SUMS, but no file of a bundle; see bezierbench verify");
+      refuse(source.path() / name, "is listed in SHA256SUMS, but no file of a bundle; see `bezierbench verify`");
     whole.files.emplace_back(name, bundle.read_listed(name));
   }
   return whole;

@@ -166,7 +166,7 @@ class Verification {
   void check_manifest(Findings& all) {
     const Manifest manifest = parse_manifest(read_bundle_file(path_ / manifest_name), place(manifest_name));
     complete_ = manifest.state == complete;
-    if (!complete_) add(all, manifest_name, "state is partial; continue with bezierbench run");
+    if (!complete_) add(all, manifest_name, "state is partial; continue with `bezierbench run`");
     if (const auto digest = accuracy_digest_of_files(); digest && *digest != manifest.accuracy_digest)
       add(all, manifest_name,
           fmt::format("accuracy_digest is {}, the files give {}", manifest.accuracy_digest, *digest));
@@ -209,7 +209,7 @@ class Verification {
       if (name != blocks_name || fs::is_symlink(path_ / name))
         add(all, name, "does not belong to a bundle; remove it");
       else if (complete_)
-        add(all, name, "left in a complete bundle; continue with bezierbench run or remove it");
+        add(all, name, "left in a complete bundle; continue with `bezierbench run` or remove it");
     }
   }
 
@@ -241,7 +241,7 @@ bool is_innocent(const std::string& field) { return field.empty() || field == "0
 Findings verify(const fs::path& path, const SuiteReader& read_suites, bool beside_other_runs) {
   Folder folder = list_folder(path);
   if (!looks_like_a_bundle(folder))
-    return {fmt::format("{}: is not a bundle; give a folder that bezierbench run wrote", path.string())};
+    return {fmt::format("{}: is not a bundle; give a folder that `bezierbench run` wrote", path.string())};
   if (beside_other_runs) std::erase(folder.others, blocks_name);
   return Verification(path, std::move(folder)).findings(read_suites);
 }

@@ -159,6 +159,12 @@ void print_methods(const std::string& csv, const MethodFilter& filter) {
     chosen.push_back(row);
     table.add_row(methods.row(row));
   }
+  if (chosen.empty() && !filter.glob.empty() && !suite::is_pattern(filter.glob)) {
+    std::vector<std::string> known;
+    for (std::size_t row = 0; row < methods.row_count(); ++row) known.push_back(methods.at(row, "id"));
+    if (std::ranges::find(known, filter.glob) == known.end())
+      throw Failure(Exit::usage, "{}: no such method{}", echo(filter.glob), suite::suggestion(filter.glob, known));
+  }
   if (chosen.empty()) throw Failure(Exit::usage, "no method passes all of these filters; remove one of them");
   fmt::print("{}", filter.format == "csv" ? table.text() : methods_text(methods, chosen, filter));
 }

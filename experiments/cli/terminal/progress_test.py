@@ -95,7 +95,8 @@ class Terminal(Case):
     def test_errors_are_broken_at_words_on_a_terminal_only(self):
         bundle = ROOT / "results/answers"
         for arguments in (["choose", bundle, "--degree", "4", "--tolerance", "5"], ["list", "kinds", "no_kind"],
-                          ["run", "no_suite", "--out", "b"], ["verify", "no_bundle"]):
+                          ["run", "no_suite", "--out", "b"], ["verify", "no_bundle"], ["list", "methods", "--guarantee", "x"],
+                          ["choose", bundle, "--degree", "4", "--tolerance", "5", "--unit", "metres"]):
             with self.subTest(arguments=arguments):
                 code, text = self.on_terminal(*map(str, arguments), NO_COLOR="1")
                 piped = self.run_program(*arguments, env={**os.environ, "COLUMNS": "80"})
