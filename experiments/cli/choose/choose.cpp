@@ -205,9 +205,8 @@ std::string in_few_words(const Candidate& one, const Wish& wish) {
   return fmt::format("{}, error {} {}", time, brief(one.error), wish.unit_words());
 }
 
-/// The fastest method and why it is the first, and what speaks for others. Empty where no method is within.
+/// The fastest method and why it is the first, and what speaks for others. At least one method must be within.
 std::string winner_text(const std::vector<Candidate>& candidates, const JudgedRace& race, const Wish& wish) {
-  if (candidates.empty()) return "";
   const auto& best = candidates.front();
   auto text =
       paragraph(fmt::format("{} of {} methods are within {} {}; the fastest: {}", candidates.size(),
@@ -344,7 +343,7 @@ Exit choose(Wish wish) {
     for (std::size_t k = 1; k < races.size(); ++k)
       say(fmt::format("times of another study are left out: {}; see --study", timed_curves(races[k])));
     fmt::print("{}", csv_table(candidates, race, wish).text());
-  } else {
+  } else if (!candidates.empty()) {
     fmt::print("{}{}{}", winner_text(candidates, race, wish), heading_text(races, wish), methods_table(candidates));
   }
   if (!candidates.empty()) return Exit::fine;

@@ -214,6 +214,7 @@ class Choose(Case):
         self.assert_one_line(result, "most accurate is compensated_de_casteljau with ")
         self.assertRegex(result.stderr.decode(), r"with [0-9.]{1,7} u p~; --unit coordinate takes a tolerance in coordinates\n$")
         result = self.run_program("choose", "b", "--degree", "8", "--tolerance", "1e-30", "--unit", "coordinate")
+        self.assertEqual((result.returncode, result.stdout), (FINDING, b""))
         self.assertRegex(result.stderr.decode(), r"with \S{1,9} coordinate units\n$")
 
     def test_refusals(self):
