@@ -66,7 +66,14 @@ class Command(unittest.TestCase):
     def test_summary_writes_nothing_and_counts(self):
         fixture.write(self.bundle)
         before = sorted(self.place.rglob("*"))
-        out, _ = self.said(0, self.bundle, "--summary")
+        texts = []
+        for columns in 200, 80:
+            with mock.patch.dict(os.environ, COLUMNS=str(columns)):
+                texts.append(self.said(0, self.bundle, "--summary")[0])
+        out, narrow = texts
+        self.assertEqual([max(map(len, text.splitlines())) <= 80 for text in texts], [False, True])
+        self.assertLessEqual(max(map(len, out.splitlines())), 100)
+        self.assertEqual(narrow.split(), out.split())
         self.assertIn("2.3.1", out)
         self.assertIn("vanishes", out)
         self.assertNotIn("`", out)
