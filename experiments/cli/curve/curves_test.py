@@ -513,18 +513,18 @@ class Curves(Case):
         self.refused(INPUT_OUTPUT, ["curve", "project", "--curve", "absent.csv", "--point", "1,2"], "absent.csv")
 
     def test_answers_do_not_wait_for_truths_of_high_degrees(self):
-        """Minutes at degree 400."""
+        """Many seconds at degree 1000."""
         def write(degree):
             self.write("c.csv", "x,y\n" + "\n".join(f"{10 * math.cos(i)!r},{10 * math.sin(2 * i)!r}" for i in range(degree + 1)))
 
-        write(400)
+        write(1000)
         for command, exact in (("project --point 1,2 --method scan_refine", ["exact_t", "exact_distance", "error"]),
                                ("length --method gauss_legendre_24", ["exact", "error"])):
             with self.subTest(command=command):
                 words = command.split()
                 result = self.run_program("curve", words[0], "--curve", "c.csv", *words[1:])
                 self.assertEqual(result.returncode, 0, result)
-                self.assert_one_line(result, "c.csv: ", "degree 400", "--truth")
+                self.assert_one_line(result, "c.csv: ", "degree 1000", "--truth")
                 row, = rows(result.stdout.decode())
                 self.assertEqual({row[column] for column in exact}, {""})
         write(40)
