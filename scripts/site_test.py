@@ -3,6 +3,7 @@
 """site_test.py PROGRAM: scripts/site writes a site without faults, with the answers of the committed bundles first and a page for every
 method that PROGRAM lists. site_test.py PROGRAM --browser: the same site in headless Chromium, light and dark, on a screen and on a phone.
 Exit 77, with a line that says so, where pandoc or what --browser requires is missing."""
+import csv
 import importlib.util
 import shutil
 import subprocess
@@ -35,8 +36,11 @@ def faults(site, program):
         text = page.read_text(encoding="utf-8") if page.exists() else ""
         if "<math" not in text or f"<code>{row['id']}</code>" not in text:
             yield f"{address(row['id'])}: no page with formulas of {row['id']}"
+    found = csv.DictReader((ROOT / "results/atlas/worst/search.csv").read_text(encoding="utf-8").splitlines())
+    worst = max((row for row in found if row["method"] == "de_casteljau"), key=lambda row: float(row["searched_error_u"]))
     for name, words in (("docs/proofs/local.html", "<math"), ("atlas/roots/index.html", "<table"), ("methods/de_casteljau.html", "s * a + t * b"),
-                        ("methods/de_casteljau.html", "bezierbench replay results/atlas/worst")):
+                        ("methods/de_casteljau.html", "bezierbench replay results/atlas/worst"),
+                        ("methods/de_casteljau.html", f"{float(worst['searched_error_u']):.1f} u p~</strong> at degree {worst['degree']}")):
         if words not in (site / name).read_text(encoding="utf-8"):
             yield f"{name}: without {words}"
 

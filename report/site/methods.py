@@ -95,21 +95,20 @@ class Answers:
 
 @functools.cache
 def searched():
-    """{(form, method): row of the largest error that a search found, with its bundle}, of the lowest degree."""
-    found = {}
-    for bundle in dict.fromkeys(SEARCHED.values()):
-        for row in csv.DictReader((bundle / "search.csv").read_text(encoding="utf-8").splitlines()):
-            held = found.get((row["form"], row["method"]))
-            if row["status"] != "out_of_range" and row["coefficients"] and (held is None or float(row["degree"]) < float(held["degree"])):
-                found[row["form"], row["method"]] = {**row, "bundle": str(bundle.relative_to(ROOT))}
-    return found
+    """{(form, method): [row of a search that found a worst case, with its bundle]}"""
+    rows = [{**row, "bundle": str(bundle.relative_to(ROOT))} for bundle in dict.fromkeys(SEARCHED.values())
+            for row in csv.DictReader((bundle / "search.csv").read_text(encoding="utf-8").splitlines())
+            if row["status"] != "out_of_range" and row["coefficients"]]
+    return grouped(rows, "form", "method")
 
 
 def worst(method, form):
-    """The recorded worst case, drawn, with the command that recomputes it; None where there is none."""
-    row = searched().get((form, method))
-    if row is None:
+    """The worst case at the lowest degree, drawn, with the command that recomputes it, and the largest error at any degree; None where
+    nothing was searched."""
+    rows = searched().get((form, method))
+    if rows is None:
         return None
+    row, largest = min(rows, key=lambda one: int(one["degree"])), max(rows, key=lambda one: float(one["searched_error_u"]))
     degree, numbers = int(row["degree"]), [float.fromhex(one) for one in row["coefficients"].split()]
     coefficients = [[numbers[i], numbers[degree + 1 + i]] for i in range(degree + 1)]
     weights = [float.fromhex(one) for one in row["weights"].split()] or None
@@ -120,6 +119,7 @@ def worst(method, form):
                for name, column in (("error", "searched_error_u"), ("sampled", "sampled_error_u"), ("bound", "bound_u"))}
     return {**numbers, "svg": svg, "stretched": stretched, "degree": degree, "form": form, "name": FORM[form], "t": repr(t),
             "command": f"bezierbench replay {row['bundle']} {row['search_id']}",
+            "largest": None if largest is row else {"error": general(float(largest["searched_error_u"])), "degree": largest["degree"], "id": largest["search_id"]},
             "points": [(repr(x), repr(y)) for x, y in coefficients], "weights": [repr(one) for one in weights or ()]}
 
 
@@ -174,7 +174,7 @@ class Pages:
                 yield from (row["bound"], row["flops"])
 
     def words(self, text, own, files):
-        """HTML of words: code, files of core, proofs and methods as links, but for the names `own`. `files` collects the files."""
+        """HTML of words: code, files of core, proofs and methods as links, except for the names `own`. `files` collects the files."""
         def one(match):
             code, path, name = match.groups()
             if code:
