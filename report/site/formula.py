@@ -16,7 +16,7 @@ CLOSING = {"(": ")", "[": "]"}
 DERIVED = ("C", "A", "W")  # C^(k) is a derivative, not a power
 ARTICLES = ("the", "this", "that", "each", "into")
 JOINING = ("and", "or", "is", "in", "to", "times")
-TOKEN = re.compile(rf"""(?P<prose>`[^`]+`|\[[^\]\[]*[ ](?:\d{{4}}|\d{{3}})\]|[\w/]+\.(?:hpp|md|csv|cpp)\b|\b[CG][12]\b|\d+x\d+|\b[a-z]-th\b|\d*[.]?\d+[ ]%)
+TOKEN = re.compile(rf"""(?P<prose>`[^`]+`|\[[^\]\[]*[ ](?:\d{{4}}|\d{{3}})\](?:'s\b)?|[\w/]+\.(?:hpp|md|csv|cpp)\b|\b[CG][12]\b|\d+x\d+|\b[a-z]-th\b|\d*[.]?\d+[ ]%)
   |(?P<named>(?:{'|'.join(NAMED)})(?![A-Za-z0-9]|_[a-z]{{2}}))
   |(?P<letter>[A-Z](?=[A-Z]')|(?:{'|'.join(PRODUCTS.split())})(?![A-Za-z])|[A-Za-z](?![A-Za-z])(?:\d(?![\d._]))?~?'*)
   |(?P<word>(?:[A-Za-z]{{2,}}\d*|[a-z]\d)(?:[_:][A-Za-z0-9]{{2,}}|_[a-z](?=_))+|[A-Za-z]{{2,}}\d*(?:[-'’][A-Za-z]+)*)

@@ -26,6 +26,7 @@ class Formula(unittest.TestCase):
         self.check("the sum of a term and horner_bernstein_fma (barycentric.hpp)", "the sum of a term and horner_bernstein_fma (barycentric.hpp)")
         self.check("changes its sign; q = sign(b) sqrt(b^2 - a c)", r"changes its sign; $q = \operatorname{sign} (b) \sqrt{b^{2} - a c}$")
         self.check("where it is as in [Farin 2002], 24 points", "where it is as in [Farin 2002], 24 points")
+        self.check("the tolerance is [Chromium 2014]'s", "the tolerance is [Chromium 2014]'s")
         self.check("S_left is known", r"$S_{\mathrm{left}}$ is known")
 
     def test_functions(self):
