@@ -50,7 +50,7 @@ def index(page):
     for want, names in (*HEADINGS, ("read everything else", others)):
         there = [DOCS / f"{name}.md" for name in names if (DOCS / f"{name}.md").exists()]
         lines = [f"- {link(page, path)}: {first_sentence(path)}" for path in there]
-        parts += ["\n".join([f"### To {want}", "", *lines])] if there else []
+        parts += ["\n".join([f"## To {want}", "", *lines])] if there else []
     return "\n\n".join(parts)
 
 
