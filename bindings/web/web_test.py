@@ -140,6 +140,13 @@ class Native:
         status = self.library.bb_exact_project(self.curve, given.ctypes.data, t, distance)
         return status or [t.value, distance.value]
 
+    def lengthError(self, begin, end, length):
+        return self.structure("bb_arc_length_error", self.curve, begin, end, length, fields="d")
+
+    def projectError(self, point, t, distance):
+        given = np.array(point)
+        return self.structure("bb_project_error", self.curve, given.ctypes.data, t, distance, fields="d")
+
     def split(self, method, t):
         halves = [(np.zeros(self.points.size), np.zeros(self.degree + 1)) for _ in range(2)]
         status = self.library.bb_split(method.encode(), self.curve, t,
@@ -225,8 +232,13 @@ def questions(random, native, methods, curves, few):
             if name and is_compared(method) and takes(method, curve):
                 yield [number, name, method.id.decode(), *arguments], getattr(native, name)(method.id.decode(), *arguments)
         if curve["form"] != "power" and len(curve["points"]) <= 7 * curve["dimension"]:
-            yield [number, "exactArcLength", 0.125, 0.875], native.exactArcLength(0.125, 0.875)
-            yield [number, "exactProject", point], native.exactProject(point)
+            length, foot = native.exactArcLength(0.125, 0.875), native.exactProject(point)
+            yield [number, "exactArcLength", 0.125, 0.875], length
+            yield [number, "exactProject", point], foot
+            for given in [size, *(length if isinstance(length, list) else [])]:
+                yield [number, "lengthError", 0.125, 0.875, given], native.lengthError(0.125, 0.875, given)
+            for given in [[t, size], *([foot] if isinstance(foot, list) else [])]:
+                yield [number, "projectError", point, *given], native.projectError(point, *given)
         bezier = random.uniform([0, -1, 0, -1], [1, 2, 1, 2]).tolist()
         xs = random.uniform(0, 1, 20).tolist()
         yield [number, "exactEase", bezier, xs], native.exactEase(bezier, xs)
@@ -245,9 +257,9 @@ def nearest_float(value):
 
 
 def float_questions(native, curves):
-    """In float, for forms that the C interface has in double only: from the exact fractions."""
+    """In float, what the C interface has in double only, from the exact fractions: errors, and the true points of two forms."""
     for number, curve in enumerate(curves):
-        if curve["form"] == "bernstein" or not curve["fits_float"] or curve["kind"] != "ordinary":
+        if not curve["fits_float"] or curve["kind"] != "ordinary":
             continue
         narrow = {**curve, **{key: np.array(curve[key], np.float32).astype(float).tolist()
                               for key in ("points", "weights", "ts") if curve.get(key) is not None}}
@@ -303,7 +315,7 @@ def main(arguments):
     with tempfile.TemporaryDirectory() as folder:
         with open(f"{folder}/questions", "w", encoding="utf-8") as lines, open(f"{folder}/numbers", "wb") as answers:
             lines.write(json.dumps(curves) + "\n")
-            for source in (questions(random, native, methods, curves, few=len(curves) // 20), float_questions(native, curves)):
+            for source in (questions(random, native, methods, curves, few=max(len(curves) // 20, 12)), float_questions(native, curves)):
                 for question, answer in source:
                     expected = len(answer) if isinstance(answer, list) else -answer if isinstance(answer, int) else answer
                     lines.write(json.dumps([question, expected]) + "\n")
