@@ -21,7 +21,7 @@ ENGINE = (ROOT / "build/web/bezierbench.wasm", ROOT / "bindings/web/bezierbench.
 DOORS = (("Methods", "methods/index.html"), ("Introduction", "docs/introduction.html"), ("Documents", "docs/index.html"), ("Atlas", "atlas/index.html"),
          ("Playground", "playground/index.html"))
 METHODS = "docs/methods.md"  # whose ids lead to headers, and here to pages
-NO_PLAYGROUND = "The playground is not part of this copy: scripts/build web compiles it, then scripts/site takes it along."
+NO_PLAYGROUND = "without the playground, whose engine is not compiled; run scripts/build web, then scripts/site"
 
 
 class Site:

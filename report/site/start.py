@@ -33,7 +33,7 @@ def _row(known, name, scalar, sentence):
     timed = found.times[DEGREE]
     ratio = answers.time_text(timed, None).partition("<br>")[0].removesuffix(" ×")
     bound = rows[0]["bound_u"]
-    proved = f", of at most {general(bound, 2)} u p~" if name in (one.name for one in answers.NEEDS) and is_proved_small(bound, DEGREE, "bernstein") else ""
+    proved = f" (at most {general(bound, 2)} is proved)" if name in (one.name for one in answers.NEEDS) and is_proved_small(bound, DEGREE, "bernstein") else ""
     error = need.error(rows).replace(" u", " u p~") if proved else need.error(rows)
     return {"method": found.method, "link": address(found.method), "scalar": scalar, "error": error, "proved": proved, "ratio": ratio, "base": timed["relative_to"],
             "sentence": sentence.replace("{share}", f"{100 * answers.MISROUNDED:g} %")}
