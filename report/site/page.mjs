@@ -39,15 +39,18 @@ for (const size of sizes) {
   if (await page.locator("#text").count()) {
     await page.locator("#own button").click();
     if (!(await page.locator("#said").innerText())) faults.push("index.html: is silent about an empty field");
-    await page.locator("#text").fill("ä".repeat(4e5)); // an address of 2.4 MB, which Chrome does not open
-    await page.locator("#own button").click();
-    if (!(await page.locator("#said").innerText()).includes("1,000,000")) faults.push("index.html: does not refuse a text that is too long for an address");
     await page.locator("#text").fill("0,0 1,2 3,1");
     await page.locator("#own button").click();
     await page.waitForURL(/playground\/index\.html#/);
     await page.locator("#given-text").waitFor();
     await page.waitForFunction(() => document.querySelector("#given-text").value === "0,0 1,2 3,1", null, { timeout: 20000 }).catch(() =>
       faults.push("playground/index.html: does not take the curve of the start page"));
+    const long = await open("index.html", size);
+    await long.locator("#text").fill("ä".repeat(4e5)); // an address of 2.4 MB, which Chrome does not open
+    await long.locator("#own button").click();
+    const said = await long.locator("#said").innerText({ timeout: 5000 }).catch(() => "");
+    if (!said.includes("1,000,000")) faults.push("index.html: does not refuse a text that is too long for an address");
+    await long.context().close();
   }
   await page.context().close();
 }
