@@ -7,6 +7,7 @@ import { createRequire } from "node:module";
 
 import { examples } from "./examples.mjs";
 import { addressOf, stateOf } from "./link.mjs";
+import { short } from "./table.mjs";
 
 const [, , library, axe, executablePath, folder, program] = process.argv;
 const { chromium } = createRequire(`${library}/package.json`)("playwright-core");
@@ -113,21 +114,40 @@ function sources() {
 async function views() {
   const cubic = curves.cubic.replace("t=0.3", "");
   const column = { length: "length", nearest: "t", chords: "chords", easing: "y" };
+  const decimal = (word) => String(number(word));
+  const joins = (rows) => rows.filter((row) => row.half === "right" && row.index === "0" && row.axis !== "w");
+  const largest = (rows) => short(Math.max(...joins(rows).map((row) => number(row.error_u))));
+  // How many doubles lie between two of the same sign.
+  const apart = (...ends) => ends.map((x) => new BigInt64Array(new Float64Array([number(x)]).buffer)[0]).reduce((a, b) => (a > b ? a - b : b - a));
+  // The cells of a method, and of the true values, that the program's rows of the method tell.
+  const told = {
+    length: [(rows) => ({ 1: short(number(rows[0].error)) }), (rows) => [decimal(rows[0].exact)]],
+    nearest: [(rows) => ({ 1: decimal(rows[0].distance), 2: short(number(rows[0].error)) }), (rows) => [decimal(rows[0].exact_t), decimal(rows[0].exact_distance)]],
+    split: [(rows) => ({ 0: largest(rows) }), (rows) => ["", ...joins(rows).map((row) => decimal(row.exact))]],
+    easing: [(rows) => ({ 1: short(Number(apart(rows[0].y, rows[0].exact))) }), (rows) => [decimal(rows[0].exact)]],
+  };
   const hashes = [["length", cubic], ["nearest", `${cubic}&foot=1,1`], ["chords", `${cubic}&tolerance=0.01`], ["split", `${cubic}&t=0.3`], ["box", cubic],
     ["easing", "#points=0,0,0.25,0.1,0.25,1,1,1&x=0.5"], ["length", curves.arc], ["nearest", `${curves.arc}&foot=3,-4`], ["split", curves.arc],
     ["box", curves.arc], ["chords", `${curves.arc}&tolerance=0.001`]];
   for (const [view, hash] of hashes) {
     const page = await open(`${hash}&view=${view}`);
     await answered(page, view);
-    const rows = await page.$$eval("#answers tbody tr[data-id]", (all) => all.map((row) => [row.dataset.id, row.dataset.v, "varies" in row.dataset]));
+    const rows = await page.$$eval("#answers tbody tr[data-id]", (all) => all.map((row) => [row.dataset.id, row.dataset.v, "varies" in row.dataset, [...row.querySelectorAll("td")].map((cell) => cell.textContent)]));
     const native = csv(...await shown(page));
     same([...new Set(rows.map(([id]) => id))], [...new Set(native.map((row) => row.method))], `${view}: methods`);
-    for (const [id, value, varies] of rows) {
+    for (const [id, value, varies, cells] of rows) {
       const mine = native.filter((row) => row.method === id);
       const wanted = view === "box" ? mine.flatMap((row) => [row.low, row.high])
         : view === "split" ? mine.filter((row) => row.half === "right" && row.index === "0" && row.axis !== "w").map((row) => row.value) : [mine[0][column[view]]];
       if (varies) check(Math.abs(Number(value) - Number(wanted[0])) < 1e-14, `${view}, ${id}: ${value} instead of ${wanted}`);
       else same(value.split(" ").map(Number), wanted.map(Number), `${view}, ${id}`);
+      if (varies || !value || !told[view]) continue;
+      for (const [k, word] of Object.entries(told[view][0](mine))) same(cells[k], word, `${view}, ${id}, column ${k}`);
+    }
+    if (told[view]) {
+      const truth = await page.$$eval("#answers tr.exact td", (all) => all.map((cell) => cell.textContent));
+      const wanted = told[view][1](native.filter((row) => row.method === native[0].method));
+      same(truth.slice(0, wanted.length), wanted, `${view}: the true values`);
     }
     await page.context().close();
   }
@@ -145,8 +165,14 @@ async function reading() {
     same(await texts(page, "given-fault"), "", `“${words}”`);
   }
   await page.waitForTimeout(500); // the address follows later
+  const ten = (k) => Array(10).fill(`<use href="#g${k}"/>`).join("");
+  const levels = Array.from({ length: 9 }, (_, k) => `<g id="g${k + 1}">${ten(k)}</g>`).join("");
+  const nested = `<svg xmlns="http://www.w3.org/2000/svg"><defs><path id="g0" d="M0,0h1"/>${levels}</defs><use href="#g9"/></svg>`;
   const before = await hashOf(page);
-  for (const [words, part] of [["abc", "column “abc”"], ["M 0 0 C 1 1", "where a number is required"], ["0,0 1", "Point 2 has 1"], ["[[1,2],[3]]", "2 coordinates"], ["[1", "not JSON"],
+  for (const [words, part] of [["abc", "column “abc”"], ["M 0 0 C 1 1", "where a number is required"], ["0,0 1", "Point 1 has 1"], ["[[1,2],[3]]", "2 coordinates"],
+    ['{"points":[[0,1],[2,3]],"weights":"ab"}', "write an array of 2"], ['{"points":[[0,1],[2,3]],"weights":5}', "write an array of 2"],
+    ["curve,index,x\na,2,0\na,0,1\na,1,2", "here must be 0"], ["curve,segment,index,x\na,0,0,1", "column “segment”"], ["index,x\n0,1", "curve,index"], ["y\n1", "column “y”"],
+    ["curve,index,x\na,0,1\nb,0,1\na,1,2", "has rows above already"], [nested, "100000 elements"], ["[1", "not JSON"],
     ["x,y\n1", "1 fields instead of 2"], ["<svg", "not well-formed"], ["1,2 x,3", "“x”"], ["{}", "no points"], ["M0,0", "Nothing is drawn"], ["1e999,0 1,1", "beyond the largest"]]) {
     await give(words);
     const fault = await texts(page, "given-fault");
@@ -233,7 +259,7 @@ async function controls() {
   await page.keyboard.press("ArrowUp");
   same(await page.inputValue("#c-0-y"), "y", "what is typed stays while a point moves");
   await page.fill("#c-0-x", "0.5");
-  check((await texts(page, "coordinate-fault")).includes("y of point 1 is “y”"), "the other field’s fault is shown again");
+  check((await texts(page, "coordinate-fault")).includes("y of point 0 is “y”"), "the other field’s fault is shown again");
   await page.fill("#c-0-y", "0");
   await page.fill("#t-number", "0.625");
   same([await texts(page, "coordinate-fault"), await texts(page, "t-fault"), await page.inputValue("#t")], ["", "", "0.625"], "corrected");
@@ -251,12 +277,13 @@ async function controls() {
   for (const key of ["u", "ulp", "bound", "share", "id"]) {
     await page.click(`#methods th[data-key=${key}] button`);
     const sort = await page.getAttribute(`#methods th[data-key=${key}]`, "aria-sort");
-    const column = await page.$$eval("#methods tbody tr[data-id]", (all, name) => all.map((row) => {
+    const column = await page.$$eval("#methods tbody tr[data-id]:not(.recommended)", (all, name) => all.map((row) => {
       const numbers = () => row.querySelector(`td.${name}`).dataset.v.split(" ").map((one) => (one === "" ? Infinity : Number(one)));
       return name === "id" ? row.dataset.id : Math.max(...numbers());
     }), key);
     check(column.every((value, k) => !k || (sort === "ascending" ? column[k - 1] <= value : column[k - 1] >= value || value === Infinity)), `by ${key}, ${sort}: ${column}`);
   }
+  same(await page.locator("#methods tbody tr:nth-child(2).recommended").count(), 1, "the recommended method is below the true point");
   await page.click("#methods th[data-key=u] button");
   await page.press("#methods th[data-key=u] button", "Enter");
   same(await page.getAttribute("#methods th[data-key=u]", "aria-sort"), "descending", "the second press");
@@ -269,7 +296,9 @@ async function controls() {
     return of("u").some((u, k) => u > of("bound")[k]);
   }).map((row) => row.dataset.id));
   same(beyond, [], "beyond the bound in float");
+  same(await texts(page, "command-note"), "in double", "the command in float");
   await page.check("input[value=double]");
+  same(await texts(page, "command-note"), "", "the command in double");
   // Forms, points, views.
   await page.selectOption("#form", "rational");
   same(await page.inputValue("#c-0-w"), "1", "a weight");
@@ -342,6 +371,92 @@ async function controls() {
   await page.context().close();
 }
 
+// Back and forward: behind a text that another page hands over, and with a file's list and a field that is being typed in.
+async function history() {
+  const page = await open(curves.cubic);
+  await answered(page, "points");
+  await page.goto(`${address}#text=${encodeURIComponent("M0,0 Q1,1 2,0")}`);
+  await until(page, () => location.hash.includes("points=0,0,1,1,2,0"), undefined, "the address of a handed over text");
+  await page.waitForTimeout(500);
+  await page.goBack();
+  await until(page, () => document.getElementById("c-1-y").value === "2", undefined, "the curve before the text");
+  await page.waitForTimeout(500);
+  same(await hashOf(page), curves.cubic, "back behind a text stays there");
+  await page.setInputFiles("#file", { name: "two.csv", mimeType: "text/csv", buffer: Buffer.from("curve,index,x,y\na,0,1,2\na,1,3,4\nb,0,0,0\nb,1,1,1\n") });
+  await until(page, () => !document.getElementById("others").hidden, undefined, "a list");
+  await page.waitForTimeout(500);
+  await page.click("#next");
+  await page.waitForTimeout(500);
+  await page.fill("#c-1-x", "7");
+  await page.waitForTimeout(500);
+  await page.goBack();
+  await until(page, () => document.getElementById("c-1-x").value === "1", undefined, "the field that was typed in, back");
+  await page.goBack();
+  await until(page, () => document.getElementById("others-count").textContent === "curve 1 of 2", undefined, "the first curve, back");
+  await page.goBack();
+  await until(page, () => document.getElementById("others").hidden, undefined, "no list before the file");
+  await page.goForward();
+  await until(page, () => !document.getElementById("others").hidden && document.getElementById("c-0-x").value === "1", undefined, "the list again");
+  await page.setInputFiles("#file", { name: "many.csv", mimeType: "text/csv", buffer: Buffer.from(`curve,index,x\n${Array.from({ length: 3002 }, (_, k) => `${k},0,${k}\n`).join("")}`) });
+  await until(page, () => document.getElementById("others-count").textContent.includes("first 3000"), undefined, "how many are pictured");
+  same(await page.inputValue("#given-text"), "", "a long file leaves no earlier text");
+  same(await page.locator("#overview .chosen").count(), 1, "the first curve is marked");
+  await page.click("#previous");
+  same(await page.locator("#overview .chosen").count(), 0, "a curve that is not pictured is not marked");
+  await page.context().close();
+}
+
+// What fails leaves no earlier answer, and what is corrected is taken.
+async function faults() {
+  const page = await open(curves.arc);
+  await answered(page, "points");
+  const left = () => page.evaluate(() => ["verdict", "fractions"].map((id) => document.getElementById(id).textContent).join("")
+    + document.querySelectorAll("#methods tbody tr").length);
+  for (const [k, weight] of ["1", "-1", "1"].entries()) await page.fill(`#c-${k}-w`, weight);
+  await page.fill("#t-number", "0.5");
+  await until(page, () => document.getElementById("fault").textContent !== "", undefined, "weights that sum to zero");
+  same(await left(), "0", "what is left beside a fault");
+  await page.fill("#t-number", "0.25");
+  await until(page, () => document.querySelectorAll("#methods tbody tr").length > 1, undefined, "an answer after a fault");
+  same(await texts(page, "fault"), "", "the fault is gone");
+  await page.fill("#t-number", "0.5");
+  await until(page, () => document.getElementById("fault").textContent !== "", undefined, "weights that sum to zero again");
+  await page.click("#tab-easing");
+  same(await texts(page, "fault"), "", "the fault of another view");
+  await page.goto(`${address}#points=0,0,1e39,1&scalar=float`);
+  await until(page, () => document.getElementById("fault").textContent !== "", undefined, "a coordinate beyond float");
+  same(await left(), "0", "what is left where float ends");
+  // Of two fields that depend on each other the refused one is taken as soon as it is right.
+  await page.goto(`${address}${curves.cubic}&view=length&to=0.5`);
+  await answered(page, "length");
+  await page.fill("#field-from", "0.7");
+  check((await texts(page, "field-fault")).includes("write a number from 0 to 0.5"), "a start behind the end");
+  await page.fill("#field-to", "0.9");
+  same([await texts(page, "field-fault"), await page.getAttribute("#field-from", "aria-invalid")], ["", null], "a start that has become right");
+  check((await page.inputValue("#command")).includes("--from 0.7 --to 0.9"), "the command has the start");
+  // Subnormal and huge coordinates, and a degree without shares.
+  await page.goto(`${address}#points=0,0,5e-324,1e-323,1.5e-323,0`);
+  await until(page, () => document.getElementById("picture-fault").textContent !== "" && document.querySelector("#methods tbody tr"), undefined, "no picture of subnormal numbers");
+  await page.waitForTimeout(500);
+  const wrong = await page.$$eval("#methods tbody tr", ([truth, ...all]) => {
+    const values = (row) => [...row.querySelectorAll("td.digits")].map((cell) => cell.dataset.v).join(" ");
+    return all.filter((row) => row.matches(".losing") && values(row) === values(truth)).map((row) => row.dataset.id);
+  });
+  same(wrong, [], "subnormal numbers that are the nearest");
+  await page.goto(`${address}#points=-1e308,0,1e308,1e308,1e308,-1e308&view=chords`);
+  await page.waitForTimeout(500);
+  same(await page.locator("#picture .handle").count(), 0, "no picture of huge numbers");
+  await page.goto(`${address}#dimension=1&points=${Array.from({ length: 1024 }, (_, k) => k % 7).join(",")}`);
+  await until(page, () => [...document.querySelectorAll("td.share")].every((cell) => cell.textContent === "–") && document.querySelector("td.share"), undefined, "no shares of degree 1023");
+  const took = await page.evaluate(() => {
+    const [input, begin] = [document.getElementById("t"), performance.now()];
+    for (let k = 1; k <= 5; k += 1) { input.value = String(k / 10); input.dispatchEvent(new Event("input")); }
+    return (performance.now() - begin) / 5;
+  });
+  check(took < 200, `a step of t takes ${took} ms at degree 1023`);
+  await page.context().close();
+}
+
 // Width, axe, light and dark, in every view.
 async function everywhere() {
   const source = readFileSync(axe, "utf8");
@@ -378,6 +493,8 @@ for (const [name, hash] of Object.entries(curves)) await table(name, hash);
 await views();
 await reading();
 await controls();
+await history();
+await faults();
 await everywhere();
 for (const one of [...new Set(trouble)]) check(false, one);
 await browser.close();

@@ -61,14 +61,24 @@ export function easingOf({ form, dimension, points: p }) {
 export function placeOf(curve, t) {
   const n = degreeOf(curve);
   const at = (axis) => Array.from({ length: n + 1 }, (_, i) => curve.points[i * curve.dimension + axis]);
+  // De Casteljau's algorithm; for high degrees, where that takes long, Woźny and Chudy's, which may divide by 0 outside [0, 1].
+  const valueOf = (row) => {
+    if (n <= 100 || !(t >= 0 && t <= 1)) return halved(row);
+    let share = 1; // of the newest point in the mean of all before
+    return row.reduce((mean, q, k) => {
+      const upper = share * t * (n - k + 1);
+      share = upper / (k * (1 - t) + upper);
+      return (1 - share) * mean + share * q;
+    });
+  };
   const halved = (row) => {
     for (let k = n; k > 0; k -= 1) for (let i = 0; i < k; i += 1) row[i] = (1 - t) * row[i] + t * row[i + 1];
     return row[0];
   };
   const one = (axis) => {
     if (curve.form === "power") return at(axis).reduceRight((sum, q) => sum * t + q, 0);
-    if (!curve.weights) return halved(at(axis));
-    return halved(at(axis).map((x, i) => x * curve.weights[i])) / halved([...curve.weights]);
+    if (!curve.weights) return valueOf(at(axis));
+    return valueOf(at(axis).map((x, i) => x * curve.weights[i])) / valueOf([...curve.weights]);
   };
   return curve.dimension === 1 ? [t, one(0)] : [one(0), one(1)];
 }

@@ -11,7 +11,7 @@ const above0 = (what) => (words) => {
 };
 const within = (what, low, high) => (words, state) => {
   const x = number(words, what);
-  if (x < low(state) || x > high(state)) throw Error(`${what} is outside [${low(state)}, ${high(state)}]; write a number between.`);
+  if (x < low(state) || x > high(state)) throw Error(`${what} is outside [${low(state)}, ${high(state)}]; write a number from ${low(state)} to ${high(state)}.`);
   return x;
 };
 const named = {
@@ -22,10 +22,18 @@ const named = {
   x: ["x, the time", (words) => number(words, "x")],
 };
 
-// `place` says what is wrong with a number; what is typed stays. `apply` gets each number that is one.
+const invalidAt = (place) => [...document.querySelectorAll(`[aria-describedby="${place.id}"][aria-invalid]`)];
+
+function showFault(place) {
+  place.textContent = invalidAt(place).find((input) => !input.closest("[hidden]"))?.dataset.fault ?? "";
+}
+
+// `place` says what is wrong with a number; what is typed stays. `apply` gets each number that is one. A number that was refused may
+// be right after a change of another.
 export function listenTo(input, place, convert, apply) {
   input.setAttribute("aria-describedby", place.id);
   input.addEventListener("input", () => {
+    input.dataset.typed = "";
     try {
       apply(convert(input.value));
       input.removeAttribute("aria-invalid");
@@ -35,13 +43,14 @@ export function listenTo(input, place, convert, apply) {
       place.textContent = wrong.message;
       return;
     }
-    place.textContent = document.querySelector(`[aria-describedby="${place.id}"][aria-invalid]`)?.dataset.fault ?? "";
+    for (const other of invalidAt(place)) if (other.hasAttribute("aria-invalid")) other.dispatchEvent(new Event("input"));
+    showFault(place);
   });
 }
 
 // Shows a number, unless somebody types there or typed there what is not one yet.
 export function showIn(input, words) {
-  const kept = document.activeElement === input || (input.hasAttribute("aria-invalid") && input.dataset.shown === words);
+  const kept = (document.activeElement === input && "typed" in input.dataset) || (input.hasAttribute("aria-invalid") && input.dataset.shown === words);
   input.dataset.shown = words;
   if (kept) return;
   input.value = words;
@@ -49,8 +58,11 @@ export function showIn(input, words) {
 }
 
 export function forgetFaults() {
-  for (const place of ["given-fault", "coordinate-fault", "field-fault", "t-fault", "link-fault"]) byId(place).textContent = "";
-  for (const input of document.querySelectorAll("[aria-invalid]")) input.removeAttribute("aria-invalid");
+  for (const place of ["fault", "given-fault", "coordinate-fault", "field-fault", "t-fault", "link-fault"]) byId(place).textContent = "";
+  for (const input of document.querySelectorAll("[aria-invalid], [data-typed]")) {
+    input.removeAttribute("aria-invalid");
+    delete input.dataset.typed;
+  }
 }
 
 const field = (id, more = {}) => make("input", { id, inputmode: "decimal", autocomplete: "off", ...more });
@@ -77,6 +89,7 @@ export function showFields(state, names) {
   }
   for (const name of Object.keys(named)) if (state[name] !== null) showIn(byId(`field-${name}`), text(state[name]));
   state.foot?.forEach((value, k) => showIn(byId(`field-foot-${axes[k]}`), text(value)));
+  showFault(byId("field-fault"));
   byId("t").value = String(Math.min(1, Math.max(0, state.t)));
   showIn(byId("t-number"), text(state.t));
 }
@@ -86,8 +99,8 @@ export function showCoordinates(curve, get, change) {
   const places = Array.from({ length: degreeOf(curve) + 1 }, (_, i) => i);
   const body = byId("coordinates").tBodies[0];
   const cell = (i, name, k) => {
-    const input = field(`c-${i}-${name}`, { "aria-label": `${name} of point ${i + 1}` });
-    listenTo(input, byId("coordinate-fault"), (words) => number(words, `${name} of point ${i + 1}`), (value) => {
+    const input = field(`c-${i}-${name}`, { "aria-label": `${name} of point ${i}` });
+    listenTo(input, byId("coordinate-fault"), (words) => number(words, `${name} of point ${i}`), (value) => {
       const now = get().curve;
       const part = name === "w" ? { weights: now.weights.with(i, value) } : { points: now.points.with(i * now.dimension + k, value) };
       change({ curve: check({ ...now, ...part }) });

@@ -8,25 +8,40 @@ import { overview } from "./picture.mjs";
 import { read } from "./read.mjs";
 
 const largestFile = 16e6;
+const mostShown = 20000; // characters of a file in the field
 const mostPictured = 3000; // curves of a file in the picture of all
 
 let load;
-let file = null; // { curves, chosen, down } of what was read, where that is several curves
+let file = null; // { curves, chosen, down, number } of what was read, where that is several curves
+let newest = null; // the file that was read last, which going back may leave and going forward may find again
 
 const fault = (sentence = "") => { byId("given-fault").textContent = sentence; };
 
 function setFile(next) {
   file = next;
+  newest = file ?? newest;
   byId("others").hidden = !file;
+}
+
+function mark(chosen) {
+  const { curves, down } = file;
+  file.chosen = chosen;
+  byId("others-list").value = String(chosen);
+  byId("others-count").textContent = `curve ${chosen + 1} of ${curves.length}${curves.length > mostPictured ? `; the picture has the first ${mostPictured}` : ""}`;
+  overview(byId("overview"), curves.slice(0, mostPictured), chosen, down, pick);
 }
 
 function pick(wanted) {
   const { curves, down } = file;
-  file.chosen = (wanted + curves.length) % curves.length;
-  byId("others-list").value = String(file.chosen);
-  byId("others-count").textContent = `curve ${file.chosen + 1} of ${curves.length}`;
-  overview(byId("overview"), curves.slice(0, mostPictured), Math.min(file.chosen, mostPictured - 1), down, pick);
+  mark((wanted + curves.length) % curves.length);
   load(curves[file.chosen].curve, { down });
+}
+
+// Which file and curve of it the page shows, and the way back there.
+export const placeInFile = () => file && { number: file.number, chosen: file.chosen };
+export function showPlace(place) {
+  setFile(newest && place?.number === newest.number ? newest : null);
+  if (file) mark(place.chosen);
 }
 
 // Shows the curves of a text; one that breaks a rule leaves all as it is.
@@ -35,7 +50,7 @@ export function take(source) {
     const { curves, down } = read(source);
     fault();
     byId("given-text").removeAttribute("aria-invalid");
-    setFile(curves.length > 1 ? { curves, down, chosen: 0 } : null);
+    setFile(curves.length > 1 ? { curves, down, chosen: 0, number: Date.now() } : null);
     if (!file) { load(curves[0].curve, { down }); return; }
     const words = ({ id, curve }) => `${id}, degree ${degreeOf(curve)}${curve.weights ? ", rational" : ""}`;
     byId("others-list").replaceChildren(...curves.map((one, value) => make("option", { value }, words(one))));
@@ -59,8 +74,10 @@ async function takeFile(one) {
   }
   const isFont = /\.(ttf|otf|ttc|woff2?)$/i.test(one.name);
   const words = isFont ? "\0" : await one.text();
-  if (isFont || words.length > 20000) take(words);
-  else takeText(words);
+  if (isFont || words.length > mostShown) {
+    byId("given-text").value = "";
+    take(words);
+  } else takeText(words);
 }
 
 export function markExample(curve) {

@@ -6,7 +6,7 @@ import { byId, copy, late, make } from "./dom.mjs";
 import { Engine } from "./engine.mjs";
 import { examples } from "./examples.mjs";
 import { forgetFaults, makeFields, showCoordinates, showFields } from "./fields.mjs";
-import { listenToGiven, markExample, takeText } from "./given.mjs";
+import { listenToGiven, markExample, placeInFile, showPlace, takeText } from "./given.mjs";
 import { addressOf, stateOf, stateOfAddress } from "./link.mjs";
 import { Picture } from "./picture.mjs";
 import { commandFor, questions, without } from "./questions.mjs";
@@ -22,6 +22,7 @@ const table = new MethodTable(byId("methods"));
 const engine = new Engine((fault) => { byId("engine-fault").textContent = fault; });
 const picture = new Picture(byId("picture"), (what, [x, y], done) => {
   const { curve } = state;
+  if (![x, y].every(Number.isFinite)) return;
   if (what === "foot") update({ foot: curve.dimension === 1 ? [y] : [x, y, ...state.foot.slice(2)] });
   else {
     const points = [...curve.points];
@@ -34,7 +35,7 @@ const picture = new Picture(byId("picture"), (what, [x, y], done) => {
 
 const remember = late(() => {
   const address = addressOf(state);
-  if (address !== location.hash) history.pushState(null, "", address);
+  history[address === location.hash ? "replaceState" : "pushState"](placeInFile(), "", address);
 }, 400);
 
 const ends = (curve) => extentOf(lineOf(curve, 40));
@@ -51,7 +52,7 @@ function prepare(next) {
   }
   if (next.view === "chords" && next.tolerance === null) {
     const [low, high] = ends(curve);
-    next.tolerance = round(0.005 * Math.max(high[0] - low[0], high[1] - low[1]), 1) || 0.01;
+    next.tolerance = round(Math.min(0.005 * Math.max(high[0] - low[0], high[1] - low[1]), 1e305), 1) || 0.01;
   }
   return next;
 }
@@ -60,6 +61,7 @@ function update(change, { refit = false, keepAddress = false } = {}) {
   const before = state;
   state = prepare({ ...state, ...change });
   const moved = !before || !sameCurve(before.curve, state.curve) || before.scalar !== state.scalar;
+  if (before?.view !== state.view) byId("fault").textContent = "";
   show();
   picture.show(state, overlay(), refit || !before || before.view !== state.view);
   ask(moved);
@@ -78,6 +80,7 @@ const askShares = late(() => {
   engine.ask("shares", { curve, float }, (answer) => {
     if (answer?.id) { table.share(answer.id, answer.share); return; }
     byId("methods").classList.remove("waiting");
+    if (answer?.fault) table.refuseShares();
     byId("share-note").textContent = answer?.fault ? `The share that is not nearest is ${answer.fault}.` : "";
     table.arrange();
   });
@@ -91,10 +94,10 @@ function ask(moved) {
   }
   if (state.view === "points") {
     engine.ask("points", question, (answer, fault) => {
-      byId("fault").textContent = fault ?? "";
+      if (state.view === "points") byId("fault").textContent = fault ?? "";
       byId("panel").classList.remove("stale");
-      if (fault) return;
-      table.show(answer, question.curve.dimension);
+      if (fault) { table.clear(); byId("fractions").replaceChildren(); return; }
+      table.show(answer, question.curve.dimension, question.float);
       speak(byId("verdict").textContent);
       const fraction = (one, axis) => make("p", {}, make("b", {}, `${axes[axis]} = `), one || "too long to show");
       byId("fractions").replaceChildren(...answer.fractions.map(fraction));
@@ -107,7 +110,13 @@ function ask(moved) {
   const reason = without(state);
   byId("without").textContent = reason;
   byId("answers-part").hidden = Boolean(reason) || !answers[asked];
-  if (reason) { answers[asked] = null; byId("panel").classList.remove("stale"); showMore(); return; }
+  if (reason) {
+    byId("fault").textContent = "";
+    byId("panel").classList.remove("stale");
+    answers[asked] = null;
+    showMore();
+    return;
+  }
   const askedState = state;
   engine.ask(asked, view.ask(state), (answer, fault) => {
     if (state.view !== asked) return;
@@ -115,7 +124,8 @@ function ask(moved) {
     byId("answers-part").hidden = Boolean(fault);
     byId("panel").classList.remove("stale");
     answers[asked] = fault ? null : answer;
-    if (!fault) showAnswer(view, answer, askedState);
+    if (fault) showMore();
+    else showAnswer(view, answer, askedState);
     picture.show(state, overlay());
     document.documentElement.dataset.answered = asked;
   });
@@ -187,7 +197,9 @@ function show() {
   byId("panel").setAttribute("aria-labelledby", `tab-${view}`);
   byId("points-part").hidden = Boolean(question);
   byId("question-part").hidden = !question;
-  byId("question-hint").textContent = question?.hint ?? "";
+  const inDouble = scalar === "float"; // the program's commands and the other questions have no float
+  byId("question-hint").textContent = [question?.hint, inDouble && "Computed in double."].filter(Boolean).join(" ");
+  byId("command-note").textContent = inDouble ? "in double" : "";
   byId("command").value = commandFor(state);
   markExample(curve);
 }
@@ -222,7 +234,7 @@ function listen() {
   byId("add").addEventListener("click", () => {
     const { curve } = state;
     const [low, high] = ends(curve);
-    const last = pointOf(curve, degreeOf(curve)).map((x, axis) => (axis ? x : round(x + 0.25 * (high[0] - low[0] || 1), 6)));
+    const last = pointOf(curve, degreeOf(curve)).map((x, axis) => (axis ? x : round(Math.min(x + 0.25 * (high[0] - low[0] || 1), 1e308), 6)));
     reshape({ points: [...curve.points, ...last], weights: curve.weights && [...curve.weights, 1] });
   });
   byId("remove").addEventListener("click", () => {
@@ -241,7 +253,7 @@ function listen() {
     byId(`tab-${state.view}`).focus();
   });
   byId("link").addEventListener("click", () => {
-    history.replaceState(null, "", addressOf(state));
+    history.replaceState(placeInFile(), "", addressOf(state));
     copy(location.href, "The link");
   });
   byId("copy-command").addEventListener("click", () => copy(byId("command").value, "The command"));
@@ -256,7 +268,8 @@ function follow() {
     const words = /^#text=(.*)$/s.exec(location.hash);
     if (words) {
       takeText(decodeURIComponent(words[1]));
-      if (state) return;
+      // The curve has its own address, so that going back does not read the text another time.
+      if (state) { history.replaceState(placeInFile(), "", addressOf(state)); return; }
     } else next = stateOfAddress(location.hash, views);
   } catch (wrong) {
     byId("link-fault").textContent = wrong instanceof URIError ? "The link is damaged; copy it again." : wrong.message;
@@ -266,6 +279,8 @@ function follow() {
   chosen = {};
   answers = {};
   table.forget();
+  if (state) forgetFaults();
+  showPlace(history.state);
   update(next ?? stateOf(examples[0].curve), { refit: true, keepAddress: true });
 }
 

@@ -2,9 +2,11 @@
 // The curve with its control polygon. Points are moved by pointer or by arrow keys.
 
 import { degreeOf, extentOf, lineOf, markOf, placeOf, text } from "./curve.mjs";
-import { make } from "./dom.mjs";
+import { byId, make } from "./dom.mjs";
 
 const margin = 34;
+const farthest = 1e7; // pixels from the picture: what is drawn beyond looks the same
+const noPicture = "The coordinates are too large or too small for a picture.";
 const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 export class Picture {
@@ -29,12 +31,16 @@ export class Picture {
     // A graph over t has axes of their own scales, a curve in the plane has one scale.
     const scales = curve.dimension === 1 ? [wide(0), wide(1)] : [0, 1].map(() => Math.min(wide(0), wide(1)));
     this.view = { scales, middle: [0, 1].map((axis) => low[axis] + span[axis] / 2), down: state.down };
+    const corners = [[0, 0], this.size].flatMap((pixel) => this.toRaw(pixel));
+    this.drawable = [...scales, ...corners].every(Number.isFinite) && scales.every((scale) => scale > 0);
+    byId("picture-fault").textContent = this.drawable ? "" : noPicture;
   }
 
   toPixel([x, y]) {
     const { scales, middle, down } = this.view;
     const [width, height] = this.size;
-    return [width / 2 + (x - middle[0]) * scales[0], height / 2 + (down ? 1 : -1) * (y - middle[1]) * scales[1]];
+    const pixel = [width / 2 + (x - middle[0]) * scales[0], height / 2 + (down ? 1 : -1) * (y - middle[1]) * scales[1]];
+    return pixel.map((v) => Math.min(farthest, Math.max(-farthest, v)));
   }
 
   // The place at a pixel, rounded to the decimals that a pixel tells.
@@ -52,7 +58,12 @@ export class Picture {
   // The scale stays as it is, unless `refit`.
   show(state, overlay = {}, refit = false) {
     Object.assign(this, { state, overlay });
-    if (refit || !this.view) this.fit(state);
+    if (refit || !this.drawable) this.fit(state);
+    if (!this.drawable) {
+      for (const layer of Object.values(this.layers)) layer.replaceChildren();
+      this.handles.clear();
+      return;
+    }
     const { curve, t } = state;
     const { grid, polygon, curve: drawn, under, over } = this.layers;
     const marks = Array.from({ length: degreeOf(curve) + 1 }, (_, i) => markOf(curve, i));
@@ -111,7 +122,7 @@ export class Picture {
       if (!this.handles.has(what)) this.handles.set(what, this.layers.handles.appendChild(this.handle(what)));
       const handle = this.handles.get(what);
       handle.setAttribute("transform", `translate(${this.toPixel(place).join(",")})`);
-      const name = what === "foot" ? "Point to be near to" : `Control point ${what + 1} of ${marks.length}`;
+      const name = what === "foot" ? "Point to be near to" : `Control point ${what}`;
       handle.setAttribute("aria-label", `${name}, ${place.map(text).join(", ")}. Arrow keys move it.`);
     }
   }
@@ -156,10 +167,15 @@ export function overview(svg, curves, chosen, down, pick) {
   const [low, high] = extentOf(lines.flat());
   const [width, height] = [320, 150];
   const scale = Math.min((width - 12) / (high[0] - low[0] || 1), (height - 12) / (high[1] - low[1] || 1));
-  const pixel = ([x, y]) => [width / 2 + (x - (low[0] + high[0]) / 2) * scale, height / 2 + (down ? 1 : -1) * (y - (low[1] + high[1]) / 2) * scale];
+  if (!(scale > 0 && scale < Infinity)) {
+    svg.replaceChildren(make("text", { x: 6, y: 20 }, noPicture));
+    svg.onclick = null;
+    return;
+  }
+  const pixel = ([x, y]) => [width / 2 + (x - low[0] / 2 - high[0] / 2) * scale, height / 2 + (down ? 1 : -1) * (y - low[1] / 2 - high[1] / 2) * scale];
   const places = lines.map((line) => line.map(pixel));
   const data = (line) => line.map((p, k) => `${k ? "L" : "M"}${p.map((v) => v.toFixed(1)).join(",")}`).join("");
-  svg.replaceChildren(make("path", { d: places.map(data).join("") }), make("path", { d: data(places[chosen]), class: "chosen" }));
+  svg.replaceChildren(make("path", { d: places.map(data).join("") }), ...places.slice(chosen, chosen + 1).map((line) => make("path", { d: data(line), class: "chosen" })));
   svg.onclick = (event) => {
     const box = svg.getBoundingClientRect();
     const at = [((event.clientX - box.left) * width) / box.width, ((event.clientY - box.top) * height) / box.height];

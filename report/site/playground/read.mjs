@@ -14,6 +14,9 @@ function ofJson(source) {
   const isPoints = (one) => Array.isArray(one) && Array.isArray(one[0]) && typeof one[0][0] === "number";
   const add = (points, { weights, form = weights ? "rational" : "bernstein", id = String(curves.length) }) => {
     if (!points.every((p) => Array.isArray(p) && p.length === points[0].length)) throw Error(`Curve ${id}: every point must have ${points[0].length} coordinates.`);
+    if (weights && !(Array.isArray(weights) && weights.every((w) => typeof w === "number"))) {
+      throw Error(`Curve ${id}: the weights are not numbers; write an array of ${points.length}.`);
+    }
     if (!forms.includes(form)) throw Error(`Curve ${id}: “${form}” is not a form; write bernstein, power or rational.`);
     curves.push({ id: String(id), curve: check({ form, dimension: points[0].length, points: points.flat(), weights }) });
   };
@@ -31,18 +34,29 @@ function ofJson(source) {
 function ofCsv(lines) {
   const header = lines[0].split(",").map((name) => name.trim());
   const column = (name) => header.indexOf(name);
-  const given = axes.filter((name) => column(name) >= 0);
-  const unknown = header.find((name) => ![...axes, "curve", "segment", "index", "form", "w", "t"].includes(name));
-  if (unknown !== undefined || !given.length) {
-    throw Error(`Line 1 has the column “${unknown ?? header[0]}”; write x,y and w for weights, before these curve,index for several curves.`);
+  const given = axes.filter((name, k) => axes.slice(0, k + 1).every((one) => column(one) >= 0));
+  const curve = column("curve") >= 0 ? "curve" : "segment";
+  const unknown = header.find((name, k) => column(name) !== k || ![...given, curve, "index", "form", "w", "t"].includes(name));
+  const several = [curve, "index", "form"].some((name) => column(name) >= 0);
+  if (unknown !== undefined || !given.length || (several && (column(curve) < 0 || column("index") < 0))) {
+    const what = unknown === undefined ? `is “${lines[0].slice(0, 40)}”` : `has the column “${unknown}”`;
+    throw Error(`Line 1 ${what}; write x,y and w for weights, before these curve,index for several curves.`);
   }
   const groups = new Map();
+  let last;
   lines.slice(1).forEach((line, k) => {
     const fields = line.split(",").map((field) => field.trim());
     if (fields.length !== header.length) throw Error(`Line ${k + 2} has ${fields.length} fields instead of ${header.length}; correct it.`);
-    const id = fields[column("curve") >= 0 ? column("curve") : column("segment")] ?? "0";
+    const id = fields[column(curve)] ?? "0";
+    if (id !== last && groups.has(id)) throw Error(`Line ${k + 2}: curve “${id}” has rows above already; write the rows of a curve together.`);
+    last = id;
     if (!groups.has(id)) groups.set(id, []);
-    groups.get(id).push((name) => fields[column(name)] ?? "");
+    const rows = groups.get(id);
+    const index = fields[column("index")] ?? String(rows.length);
+    if (index !== String(rows.length)) {
+      throw Error(`Line ${k + 2}: index is “${index}”, here must be ${rows.length}; write the rows of a curve in order, from 0.`);
+    }
+    rows.push((name) => fields[column(name)] ?? "");
   });
   return [...groups].map(([id, rows]) => {
     const dimension = given.filter((name) => rows[0](name)).length;
@@ -60,7 +74,7 @@ function ofPoints(lines) {
   const points = commas ? lines.flatMap((line) => line.split(/\s+/)) : lines;
   const rows = points.map((one) => one.split(/[\s,;]+/).filter(Boolean).map((word, axis) => number(word, axes[axis] ? `A coordinate ${axes[axis]}` : "A coordinate")));
   const wrong = rows.findIndex((row) => row.length !== rows[0].length);
-  if (wrong >= 0) throw Error(`Point ${wrong + 1} has ${rows[wrong].length} coordinates and the first one ${rows[0].length}; write as many for each.`);
+  if (wrong >= 0) throw Error(`Point ${wrong} has ${rows[wrong].length} coordinates and point 0 ${rows[0].length}; write as many for each.`);
   if (rows.length === 1 && rows[0].length > 3) throw Error("Write a comma between the coordinates of a point and a blank between points: 0,0 1,2 3,1.");
   return [{ id: "0", curve: check({ form: "bernstein", dimension: rows[0].length, points: rows.flat(), weights: null }) }];
 }

@@ -6,6 +6,7 @@ import { direction, draw, identity, mapped, Path } from "./path.mjs";
 
 const quarterWeight = Math.SQRT2 / 2;
 const mostNested = 64;
+const mostElements = 1e5; // with all that use repeats
 
 function times(outer, inner) {
   const linear = [...outer.slice(0, 4), 0, 0];
@@ -83,6 +84,7 @@ export function curvesOfSvg(source) {
   const curves = [];
   const names = new Set();
   let paths = 0;
+  let elements = 0;
   const pathOf = (element, map) => () => {
     let name = element.id || String(paths);
     while (names.has(name)) name = names.has(String(paths)) ? `${name}'` : String(paths);
@@ -92,6 +94,8 @@ export function curvesOfSvg(source) {
   };
   const walk = (element, outer, depth, used) => {
     if (depth > mostNested) throw Error(`The drawing is nested more than ${mostNested} deep with what use elements name; remove a use.`);
+    elements += 1;
+    if (elements > mostElements) throw Error(`The drawing has more than ${mostElements} elements with what use elements repeat; remove a use.`);
     const kind = element.localName;
     const map = times(outer, transformOf(element));
     const moved = () => times(map, [1, 0, 0, 1, Number.parseFloat(element.getAttribute("x")) || 0, Number.parseFloat(element.getAttribute("y")) || 0]);

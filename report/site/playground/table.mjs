@@ -13,7 +13,8 @@ export function short(x) {
 }
 
 export const percent = (share) => (share === null || share === undefined ? "–" : `${Number((100 * share).toPrecision(2))} %`);
-export const digitsLost = (u) => (u > manyUnits ? Math.min(16, Math.floor(Math.log10(u))) : 0);
+// As the report counts them, and no more than the type has.
+export const digitsLost = (u, float) => (u > manyUnits ? Math.min(float ? 7 : 16, Math.round(Math.log10(u))) : 0);
 const plural = (count, noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
 
 // The digits of a value, those that the exact one does not have marked.
@@ -65,7 +66,14 @@ export class MethodTable {
     this.arrange();
   }
 
-  forget() { this.shares.clear(); }
+  forget() {
+    this.shares.clear();
+    this.unshared = false;
+  }
+  refuseShares() {
+    this.unshared = true;
+    for (const row of this.rows.values()) this.fillShare(row);
+  }
   share(id, share) {
     this.shares.set(id, share);
     const row = this.rows.get(id);
@@ -73,7 +81,7 @@ export class MethodTable {
   }
 
   fillShare(row) {
-    row.share = this.shares.get(row.id);
+    row.share = this.unshared ? null : this.shares.get(row.id);
     row.cells.share.textContent = row.share === undefined ? "…" : percent(row.share);
     row.cells.share.dataset.v = row.share ?? "";
   }
@@ -87,12 +95,21 @@ export class MethodTable {
     return { id, element, cells };
   }
 
+  // Where there is no answer.
+  clear() {
+    this.ids = this.exact = undefined;
+    this.rows.clear();
+    this.body.replaceChildren();
+    byId("verdict").textContent = "";
+  }
+
   // Fills the table with the answer to `points`.
-  show(answer, dimension) {
+  show(answer, dimension, float) {
     this.head(dimension);
     const ids = [...answer.rows.map((row) => row.id), dimension, answer.recommended].join(" ");
     if (this.ids !== ids) {
       this.ids = ids;
+      this.recommended = answer.recommended;
       this.rows = new Map(answer.rows.map((one) => [one.id, this.row(one, one.id === answer.recommended)]));
       this.exact = make("tr", { class: "exact" }, make("th", { scope: "row" }, "true point, rounded once"), ...columns.slice(1).map(() => make("td")),
         ...answer.exact.map(() => make("td", { class: "digits" })));
@@ -102,25 +119,25 @@ export class MethodTable {
       cell.textContent = text(value);
       cell.dataset.v = text(value);
     });
-    for (const given of answer.rows) this.fill(this.rows.get(given.id), given, answer.exact);
+    for (const given of answer.rows) this.fill(this.rows.get(given.id), given, answer.exact, float);
     this.arrange();
     byId("verdict").textContent = this.verdict(answer);
   }
 
-  fill(row, given, exact) {
+  fill(row, given, exact, float) {
     const { cells } = row;
     row.fault = given.fault;
     row.u = given.fault ? NaN : Math.max(...given.errors.map((one) => one.u));
     row.ulp = given.fault ? NaN : Math.max(...given.errors.map((one) => one.ulp));
     row.boundU = given.bound ? Math.max(...given.bound.map((one) => one.u)) : null;
     row.nearest = !given.fault && given.values.every((value, axis) => value === exact[axis]);
-    row.lost = digitsLost(row.u);
+    row.lost = row.nearest ? 0 : digitsLost(row.u, float); // beside subnormal numbers u p~ is far below an ulp
     row.element.classList.toggle("losing", row.lost > 0);
     cells.u.replaceChildren(given.fault ? make("small", { class: "fault" }, given.fault) : short(row.u),
       ...(row.lost ? [make("small", {}, ` loses ${plural(row.lost, "digit")}`)] : []));
     cells.u.style.setProperty("--bar", `${row.u > 0 ? Math.min(100, Math.max(2, 100 * ((Math.log10(row.u) + 2) / 10))) : 0}%`);
     cells.ulp.textContent = given.fault ? "" : short(row.ulp);
-    cells.bound.textContent = given.fault ? "" : given.bound ? short(row.boundU) : "none";
+    cells.bound.textContent = given.fault ? "" : !given.bound ? "none" : Number.isFinite(row.boundU) ? short(row.boundU) : "none here";
     cells.bound.title = given.boundText ?? "";
     const all = (list) => (list ?? []).map((one) => text(one.u)).join(" ");
     cells.u.dataset.v = all(given.errors);
@@ -143,7 +160,8 @@ export class MethodTable {
     }
     const { of } = columns.find((column) => column.key === key);
     const sorted = [...this.rows.values()].sort((a, b) => (descending ? compare(of(b), of(a)) : compare(of(a), of(b))) || compare(a.u, b.u));
-    const wanted = [this.exact, ...sorted.map((row) => row.element)];
+    const first = this.rows.get(this.recommended);
+    const wanted = [this.exact, ...[...(first ? [first] : []), ...sorted.filter((row) => row !== first)].map((row) => row.element)];
     if (wanted.some((element, k) => this.body.children[k] !== element)) this.body.replaceChildren(...wanted.filter(Boolean));
   }
 
@@ -152,8 +170,8 @@ export class MethodTable {
     const nearest = all.filter((row) => row.nearest).length;
     const losing = all.filter((row) => row.lost).length;
     const best = this.rows.get(recommended);
-    const bound = best?.boundU === null || best?.boundU === undefined ? "" : `; at most ${short(best.boundU)} is proved`;
-    const advice = best && !best.fault ? ` Recommended: ${recommended}, with an error of ${short(best.u)} u p~ here${bound}.` : "";
+    const bound = !Number.isFinite(best?.boundU) ? "" : `; at most ${short(best.boundU)} is proved`;
+    const advice = best && !best.fault ? ` Recommended for any curve, without fused steps: ${recommended}, with an error of ${short(best.u)} u p~ here${bound}.` : "";
     return `${nearest} of ${plural(rows.length, "method")} give the nearest numbers here; ${losing || "none"} lose${losing === 1 ? "s" : ""} digits.${advice}`;
   }
 }
