@@ -212,8 +212,12 @@ class Findings(unittest.TestCase):
             return {one.verdict for one in ratios(fixture.bundle(change)) if (one.slower["method"], one.faster["method"]) == (slower, faster)}
         for printed, ours, wanted in (((7, 1), 5, "agrees"), ((7, 1), 2.9, "close"), ((7, 1), 1.2, "kept"), ((7, 1), 0.5, "reversed"), ((1, 1), 5, "untestable"),
                                       ((7, 7), 0.7, "close"), ((7, 7), 3, "apart"), ((13, 7), 1.9, "agrees"), ((13, 7), 5, "kept"), ((0, 0), 1, "untestable"),
-                                      ((0, 3), 0.7, "close"), ((0, 5), 2, "reversed")):
+                                      ((0, 3), 0.7, "close"), ((0, 5), 2, "reversed"),
+                                      ((2, 0), 1, "agrees"), ((0, 2), 1.5, "reversed"), ((2, 0), 0.698, "reversed")):
             self.assertEqual(verdicts(printed, ours), {wanted}, (printed, ours))
+
+    def test_the_lines_of_both_sides_of_a_ratio_of_times_are_named(self):
+        self.assertEqual([file for file, _ in self.by_id["times_as_ratios"].evidence], ["scorecard_timing.csv", "timing.csv"])
 
     def test_printed_errors_are_compared_at_their_own_degrees(self):
         found = _decided("de_casteljau_flat", changed(ERROR, dict(method="de_casteljau", degree=50, mean_error=1.0, mean_error_u=1e9),

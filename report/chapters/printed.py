@@ -7,7 +7,7 @@ from ..bundle import Missing
 from ..document import Cell, Definitions, Group, Table, Text
 from ..error_tables import error_tables
 from ..findings.printed_tables import worked
-from ..findings.printed_times import TICK, VERDICTS, ratios, words
+from ..findings.printed_times import CLOSE, TICK, VERDICTS, ratios, words
 from ..methods import CHINESE, FORM, STATISTIC, form, name
 from ..rows import distinct, grouped
 from ..tables import AXIS, axis_label, listed
@@ -38,8 +38,9 @@ def scorecard(bundle, _findings):
                "ends of the band come from our repetitions and have an error of their own (99 % limits), and the printed value is rounded. "
                "**inside**: the printed value lies in the band, whatever these errors. **outside**: it lies beyond. **edge**: the errors decide. "
                "**explained**: it is outside for a stated cause. The times of table 2.4 are of another machine; what is compared is the ratio of two "
-               "of them: **inside** where it agrees with ours within the steps of the clock, **explained** where the order is kept, **outside** where "
-               "it is not, **untestable** where the clock shows neither.")
+               "of them: **inside** where it agrees with ours within the steps of the clock, **explained** where the order is kept or both are within a "
+               f"factor of {CLOSE}, **outside** where they are further apart and the order is open, or where the order is reversed, **untestable** where "
+               "the clock shows neither.")
     rows = []
     for number, verdicts in counts(bundle).items():
         rows.append((f"Table {number}", *(Cell(str(verdicts[v]), str(verdicts[v]), v if verdicts[v] else "") for v in MARK), str(sum(verdicts.values()))))

@@ -32,8 +32,9 @@ class Ratio:
 
     faster: Row
     slower: Row
-    printed: tuple  # of (low, high)
+    printed: tuple  # of (low, high), neither of which it reaches
     ours: tuple  # of (low, ratio, high)
+    raced: tuple  # the rows of `ours`
 
     def __getitem__(self, column):
         """What both have in common, such as their degree; or the `label` of the ratio."""
@@ -45,19 +46,19 @@ class Ratio:
 
     @property
     def gap(self):
-        """The factor between the nearest ends of both intervals; at most 1 where they overlap."""
+        """The factor between the nearest ends of both intervals; below 1 where they overlap."""
         return max(self.printed[0] / self.ours[2], self.ours[0] / self.printed[1] if self.printed[1] else math.inf)
 
     @property
     def verdict(self):
         if self.printed == (0, math.inf):
             return "untestable"
-        if self.gap <= 1:
+        if self.gap < 1:
             return "agrees"
-        orders = [(low > 1) - (high < 1) for low, high in (self.printed, (self.ours[0], self.ours[2]))]
-        if math.prod(orders) < 0:
+        order = ((self.printed[0] >= 1) - (self.printed[1] <= 1)) * ((self.ours[0] > 1) - (self.ours[2] < 1))
+        if order < 0:
             return "reversed"
-        return "close" if self.gap <= CLOSE else "kept" if math.prod(orders) else "apart"
+        return "close" if self.gap <= CLOSE else "kept" if order else "apart"
 
 
 def _printed(faster, slower):
@@ -81,7 +82,7 @@ def ratios(bundle):
         printed = {row["method"]: row for row in rows}
         race = {row["method"]: row for row in bundle["timing.csv"].some(form=form, degree=degree, mode="one_shot", scalar="double")
                 if row["study"].startswith("2.4")}
-        found += [Ratio(printed[a], printed[b], _printed(printed[a], printed[b]), _ours(race, a, b))
+        found += [Ratio(printed[a], printed[b], _printed(printed[a], printed[b]), _ours(race, a, b), (race[a], race[b]))
                   for a, b in combinations([m for m in ORDERS.get(form, ()) if m in printed and m in race], 2)]
     return found
 
@@ -101,14 +102,14 @@ def times_as_ratios(bundle):
     return verdict(
         not turned and 2 * (by["agrees"] + by["close"]) > len(testable),
         f"{said}; no order that it shows is reversed.",
-        f"{said}; the order alone is kept by {by['kept']}, and reversed by {by['reversed']}.",
+        f"{said}; the order alone is kept by {by['kept']}{f''', left open by {by['apart']}''' if by['apart'] else ''}, and reversed by {by['reversed']}.",
         f"A printed time is a number of ticks of {TICK} ms and may be off by one, so a ratio of two is an interval. "
         f"{count(by['untestable'], 'other ratio')} may be anything.",
         f"The ratio that is furthest from its interval is {worst.label} at degree {shortest(worst['degree'])}, "
         f"{FORM[worst['form']][0]}: printed {words(*worst.printed)}, ours {general(worst.ours[1])} [{words(worst.ours[0], worst.ours[2])}], a factor of "
         f"{factor(worst.gap)}." if worst.gap > 1 else "",
         f"Reversed: {listing(f'''{ratio.label} at degree {shortest(ratio['degree'])}''' for ratio in turned)}." if turned else "",
-        rows=dict.fromkeys(row for ratio in found for row in (ratio.faster, ratio.slower)))
+        rows=dict.fromkeys(row for ratio in found for row in (ratio.faster, ratio.slower, *ratio.raced)))
 
 
 def words(low, high):

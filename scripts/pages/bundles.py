@@ -12,6 +12,7 @@ from report import files
 from report.bundle import Bundle, Comparison
 from report.chapters.printed import MARK, counts
 from report.findings.printed_tables import events, verdicts
+from report.findings.printed_times import times_as_ratios
 from report.wording import listing
 from scripts.digests import Agreement
 from scripts.pages import printed_times
@@ -35,7 +36,7 @@ def real():
 
 def scorecard(_page):
     body = [[number, *(found[verdict] for verdict in MARK), found.total()] for number, found in counts(Bundle(BASELINE)).items()]
-    return table(["table of the report", *MARK, "printed cells"], body)
+    return table(["table of the report", *MARK, "cells or ratios"], body)
 
 
 def gates(_page):
@@ -53,19 +54,20 @@ def gates(_page):
 
 
 def printed(_page):
-    """The printed errors and counts by verdict, each counted once, and in which build the order of the printed times holds, as sentences."""
+    """The printed errors and counts by verdict, each counted once, the ratios of the printed times beside ours, and in which build their order
+    holds, as sentences."""
     baseline = Bundle(BASELINE)
     tables, found = counts(baseline), events(baseline)
-    times = tables.pop(TIMES)
+    del tables[TIMES]
     by, _, chance = verdicts(found)
     said = [f"{by[verdict]} {'is' if by[verdict] == 1 else 'are'} {words}" for verdict, words in SAID.items() if by[verdict]]
     said.append(f"{by['outside']} {'is' if by['outside'] == 1 else 'are'} outside it, {chance}")
     rows = printed_times.rows_of(printed_times.FILE)
     text = (f"It prints {sum(tables.values(), Counter()).total()} errors and counts (tables {listing(tables)}), {len(found)} of them "
             f"distinct: the others repeat a run in another table or by a method that errs alike. Of the distinct ones "
-            f"{listing(said)}. Its {times.total()} times (table {TIMES}) are of another machine and build, so that only their order within "
-            f"a row can be compared. {printed_times.orders(rows)} ({rows[0]['compiler']}, {rows[0]['processor']}).")
-    return textwrap.fill(text, WIDTH)
+            f"{listing(said)}. Its times (table {TIMES}) are of another machine and build. {times_as_ratios(baseline).headline} "
+            f"{printed_times.orders(rows)} ({rows[0]['compiler']}, {rows[0]['processor']}).")
+    return textwrap.fill(text, 130)
 
 
 def printed_orders(_page):
