@@ -179,7 +179,7 @@ def factorial_overflow(bundle):
     reach = {r.number("max_degree") for r in limits}
     finite = (f"{len(good)} of {count(len(rows), 'cell')} with factorials "
               f"{f'''at {degrees(sorted(distinct(rows, 'degree')))}''' if rows else 'above the printed degrees'} are finite")
-    stated = f"the methods that form factorials ({listing(f'''`{r['id']}`''' for r in limits)}) are stated to reach {degrees(sorted(reach))}"
+    stated = f"the methods that form factorials ({listing(f'`{one}`' for one in distinct(limits, 'id'))}) are stated to reach {degrees(sorted(reach))}"
     return verdict(
         rows and len(good) == len(rows) and reach == {overflow - 1},
         f"Factorials overflow in double from degree {overflow} on; up to there the conversion does not fail: {finite}.",
