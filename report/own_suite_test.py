@@ -6,7 +6,9 @@ import unittest
 
 from . import fixture, schema
 from .chapters.roster import UNNAMED, build_all
+from .figures.study import study_lines
 from .findings.roster import find_all
+from .inline import to_plain
 
 # One study of each kind, and one whose id looks like that of a known suite.
 STUDIES = ("truth-bezier", "conversion-bezier", "worst-bezier", "peers-speed", "derivative-order", "subdivision-degree",
@@ -94,6 +96,17 @@ class OwnSuite(unittest.TestCase):
         rows = self.bundle["accuracy.csv"].select(study="truth-bezier", baseline="exact")
         self.assertGreater(len({row["generator"] for row in rows}), 1)
         self.assertRegex(self.figures["truth-bezier-figure"].caption, "against degree n; each point is the largest value over .*generator")
+
+    def test_a_figure_names_what_its_logarithmic_axis_does_not_show(self):
+        """Roots missed: by one method none, by the other none at the lower degree and 7 at the higher."""
+        for lost, drawn, hidden in (((0, 0, 0, 7), "at the end sampled_newton has 7", "certified, and at some places sampled_newton"),
+                                    ((0, 0, 2, 7), "at the end sampled_newton has 7", "certified"),
+                                    ((3, 3, 2, 7), "at the end certified has the least that is drawn, 3, and sampled_newton the largest, 7", "")):
+            left = iter(lost)
+            figure = study_lines(fixture.bundle(lambda at, row, left=left: at != "roots.csv" or row.update(missed=next(left)) or True), "roots-degree")
+            self.assertIn(f"roots missed: {drawn}", to_plain(figure.alt))
+            for text in (figure.caption, figure.alt):
+                self.assertEqual(f"0, not drawn: of roots missed {hidden}" in to_plain(text), bool(hidden), text)
 
     def test_a_hard_case_stands_at_its_distance(self):
         figure = self.figures["hard-few-figure"]

@@ -5,9 +5,10 @@ import textwrap
 
 from .. import schema
 from ..bundle import Missing
+from ..findings.finding import names
 from ..rows import distinct, grouped
 from ..tables import AXIS, axis_label
-from ..wording import general, listing
+from ..wording import general, listing, span
 from .canvas import belongs, figure, finish, panels
 from .colours import chosen, leading, looks
 from .lines import MOST_NAMED, degree_axis, draw_methods, point_of, positive
@@ -64,6 +65,22 @@ def _lines(rows, where, axis, column, method):
     return lines
 
 
+def _zeros(rows, axis, column, method):
+    """{method: places at which all of its values are 0, which a logarithmic axis does not show}"""
+    found = {}
+    for (name, place), own in grouped(rows, method, axis).items():
+        if all(row[column] == 0 for row in own):
+            found.setdefault(name, []).append(place)
+    return found
+
+
+def _not_drawn(where, zeros, lines, shown):
+    """Of a panel, the methods without any mark, and those drawn without one at some places."""
+    without, partly = [m for m in zeros if m not in lines], [m for m in zeros if m in lines and m in shown]
+    said = [names(without) if lines else "all methods" if without else "", f"at some places {names(partly)}" if partly else ""]
+    return [f"of {where} {', and '.join(filter(None, said))}"] if any(said) else []
+
+
 def _apart(lines):
     """Lines that a common axis can show; outliers have a panel of their own, so that the others remain distinguishable."""
     highest = {method: max(y for _, y in points) for method, points in lines.items()}
@@ -88,12 +105,16 @@ def study_lines(bundle, study, whole=False):
         raise Missing(f"the study `{study}` has no axis that a figure can show")
     side_by_side = axis in APART_AXES or axis == "coordinate_range"  # 1e-300 to 1e300 is too far for a logarithmic axis
     where = dict(zip(values, range(len(values)) if side_by_side else values))
-    found = [(label, what, _lines(part, where, axis, column, schema.method(kind))) for label, part in _parts(rows).items() for column, what in schema.measures(kind)]
-    methods = list(dict.fromkeys(method for *_, lines in found for method in lines))
-    last = {m: next(lines[m][-1][1] for *_, lines in found if m in lines) for m in methods}
+    method = schema.method(kind)
+    found = [(label, what, _lines(part, where, axis, column, method), _zeros(part, axis, column, method))
+             for label, part in _parts(rows).items() for column, what in schema.measures(kind)]
+    methods = list(dict.fromkeys(m for _, _, lines, _ in found for m in lines))
+    last = {m: next(lines[m][-1][1] for _, _, lines, _ in found if m in lines) for m in methods}
     shown = methods if whole else leading(bundle, methods, last.get)
-    drawn = [(", ".join(filter(None, (label, more))), what, some) for label, what, lines in found
+    drawn = [(", ".join(filter(None, (label, more))), what, some) for label, what, lines, _ in found
              for more, some in _apart({m: points for m, points in lines.items() if m in shown})]
+    hidden = [part for label, what, lines, zeros in found for part in _not_drawn(_panel(label, what), zeros, lines, shown)]
+    hidden = f"0, not drawn: {'; '.join(hidden)}" if hidden else ""
     if not drawn:
         raise Missing(f"the study `{study}` has no value that a logarithmic axis can show")
     if sum(len(points) for *_, lines in drawn for points in lines.values()) < FEWEST:
@@ -107,16 +128,30 @@ def study_lines(bundle, study, whole=False):
     if draw is _against:
         axes[-1][0].set_xlabel(WORDS[axis])
     merged = _merged(rows, axis)
+    across = "" if draw is _ranked else "over all places " if axis in APART_AXES else "at the end "
     return finish(canvas, f"{study}-figure", f"{bundle.title(study)}{f', against {WORDS[axis]}' if draw is _against else ''}"
-                  + (f"; each point is the largest value over {listing(merged)}" if merged else ""),
-                  "Logarithmic. " + "; ".join(_words(*one) for one in drawn) + ".", bottom=0.1, note=chosen(shown, methods),
+                  + (f"; each point is the largest value over {listing(merged)}" if merged else "") + (f"; {hidden}" if hidden else ""),
+                  "Logarithmic. " + "; ".join(_words(*one, across) for one in drawn) + "." + (f" {hidden}." if hidden else ""), bottom=0.1,
+                  note=chosen(shown, methods),
                   more=(lambda: study_lines(bundle, study, True)) if len(shown) < len(methods) else None)
 
 
-def _words(label, what, lines):
-    last = {m: points[-1][1] for m, points in lines.items()}
-    low, high = min(last, key=last.get), max(last, key=last.get)
-    return f"{label + ', ' if label else ''}{what}: at the end {low} has the least, {general(last[low])}, and {high} the largest, {general(last[high])}"
+def _panel(label, what):
+    return f"{label}, {what}" if label else what
+
+
+def _words(label, what, lines, across):
+    """The least and the largest of what is drawn: of the last place where the places have an order."""
+    drawn = [(y, m, x) for m, points in lines.items() for x, y in points]
+    end = max(x for *_, x in drawn)
+    drawn = [one for one in drawn if one[-1] == end or across != "at the end "]
+    (low, least, _), (high, most, _) = min(drawn), max(drawn)
+    methods = {m for _, m, _ in drawn}
+    if len(methods) == 1:
+        return f"{_panel(label, what)}: {across}{least} has {span(low, high, general)}"
+    if low == high:
+        return f"{_panel(label, what)}: {across}all that is drawn is {general(low)}"
+    return f"{_panel(label, what)}: {across}{least} has the least that is drawn, {general(low)}, and {most} the largest, {general(high)}"
 
 
 def _against(ax, what, lines, look, across):
