@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""One colour for a method in every figure and page, and the methods that a figure shows until a reader asks for all."""
+"""One colour for a method in every figure and page, and the methods that a figure shows until a reader asks for all.
+
+The exception: of two methods that have the same colour, the later one takes another in a figure of both.
+"""
 
 from collections import Counter
 from zlib import crc32
@@ -16,7 +19,7 @@ WELL_KNOWN = {
 }
 PALETTE = tuple(WELL_KNOWN.values())
 OTHERS = ("#9e5200", "#6a8f09", "#4a7dd9", "#c9593b", "#6058bb", "#007978", "#c0558b", "#a04a9e",
-          "#a77600", "#0090aa", "#746b00", "#ae3a4f", "#1e9577", "#9765c6", "#1370a1", "#007f32")
+          "#a77600", "#0090aa", "#746b00", "#b43f54", "#1e9577", "#9765c6", "#1370a1", "#007f32")
 MARKERS = ("o", "s", "^", "D", "v")
 MOST = 8
 FRONT = 5  # of them
