@@ -136,7 +136,7 @@ async function answer(page) {
   await unit.selectOption("u");
   await tolerance.fill("1e-30");
   check((await page.locator("#answer-sentence").textContent()).startsWith("No method"), "a tolerance that none keeps has an answer");
-  for (const [typed, why] of [["abc", "is not a number"], ["-1", "is negative"], ["1,5", "write 1.5"]]) {
+  for (const [typed, why] of [["abc", "is not a number"], ["-1", "is negative"], ["1,5", "write 1.5"], ["1e999", "above the largest"]]) {
     await tolerance.fill(typed);
     const fault = await page.locator("#fault").textContent();
     check(fault.includes(typed) && fault.includes(why), `of ${typed} it says: ${fault}`);
@@ -145,6 +145,17 @@ async function answer(page) {
   }
   await tolerance.fill("");
   check(await page.locator("#fault").textContent() === "" && await tolerance.getAttribute("aria-invalid") === "false", "a fault stays when its cause is gone");
+}
+
+// The figure of all degrees shows what the answer has: nothing where no method keeps the tolerance, all where there is none.
+async function narrowed(path) {
+  for (const [tolerance, wanted] of [["", "all"], ["abc", "all"], ["1e999", "all"], ["1e-30", "none"]]) {
+    const page = await open(path, {}, `#?tolerance=${tolerance}`);
+    const marks = await page.$$eval('#time-against-error > svg [id*="-s"]', (all) => all.map((one) => [getComputedStyle(one).visibility, one.classList.contains("dim")].join()));
+    const seen = marks.filter((one) => one === "visible,false").length;
+    check(marks.length > 0 && seen === (wanted === "all" ? marks.length : 0), `with the tolerance "${tolerance}" the figure shows ${seen} of ${marks.length} marks`);
+    await page.context().close();
+  }
 }
 
 // Each entry of the contents leads to its heading, also where what lies between has not been laid out yet.
@@ -357,7 +368,7 @@ for (const [name, part] of Object.entries({ tables, filters, answer, figures }))
     failures.push(`${name}: ${error.message.split("\n")[0]}`);
   }
 }
-for (const [name, part] of Object.entries({ permalinks: () => permalinks(path, page), contents: () => contents(path), small: () => contents(path, { viewport: { width: 390, height: 844 } }), looks: () => looks(path), many: () => many(`${large}/report.html`), leading: () => leading(`${real}/report.html`), accessible: () => accessible(path), real: () => accessible(`${real}/report.html`) })) {
+for (const [name, part] of Object.entries({ permalinks: () => permalinks(path, page), narrowed: () => narrowed(path), contents: () => contents(path), small: () => contents(path, { viewport: { width: 390, height: 844 } }), looks: () => looks(path), many: () => many(`${large}/report.html`), leading: () => leading(`${real}/report.html`), accessible: () => accessible(path), real: () => accessible(`${real}/report.html`) })) {
   try {
     await part();
   } catch (error) {

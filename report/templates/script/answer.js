@@ -21,8 +21,9 @@ function chosenCell() {
 
 // What is wrong with what stands in the field of the tolerance, in words; empty where nothing is.
 function wrong(asked) {
-  if (!asked || /^\+?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(asked)) return "";
-  const why = /^-[\d.]/.test(asked) ? "is negative" : /^\d+,\d+$/.test(asked) ? `has a comma; write ${asked.replace(",", ".")}` : "is not a number; write 5 or 1e-9";
+  const written = /^\+?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(asked);
+  if (!asked || (written && Number.isFinite(Number(asked)))) return "";
+  const why = written ? "is above the largest number in double" : /^-[\d.]/.test(asked) ? "is negative" : /^\d+,\d+$/.test(asked) ? `has a comma; write ${asked.replace(",", ".")}` : "is not a number; write 5 or 1e-9";
   return `“${asked}” ${why}. Until then any error is accepted.`;
 }
 
@@ -165,8 +166,8 @@ function showAnswer(rebuild = true) {
   document.getElementById("answer-sentence").textContent = sentence(cell, methods);
   fillTable(cell, methods);
   draw(cell, methods);
-  const narrowed = AXES.some(([axis]) => state.has(axis)) || state.has("tolerance");
-  highlight(narrowed ? new Set(methods.filter((one) => one.front !== "no").map((one) => one.method)) : new Set());
+  const narrowed = AXES.some(([axis]) => state.has(axis)) || Number.isFinite(tolerance());
+  highlight(narrowed ? new Set(methods.filter((one) => one.front !== "no").map((one) => one.method)) : null);
   if (rebuild) picker(cell);
 }
 

@@ -9,7 +9,7 @@ function command(replay) {
 }
 
 function shownSeries(figure) {
-  return figure.series.filter((one) => (!figure.chosen.size || figure.chosen.has(one.name)) && (!one.methods.length || one.methods.some(seen)));
+  return figure.series.filter((one) => (figure.chosen.size ? figure.chosen.has(one.name) : !figure.missed) && (!one.methods.length || one.methods.some(seen)));
 }
 
 const few = (figure) => Boolean(figure.more) && !state.has(`all.${figure.id}`);
@@ -20,7 +20,7 @@ function showFigure(figure) {
     for (const mark of figure.svg.querySelectorAll(`[id^="${figure.prefix}-s${at}-"]`)) mark.classList.toggle("dim", !shown.has(one.name));
   });
   figure.element.classList.toggle("none", !shown.size);
-  figure.none.textContent = shown.size ? "" : "The filter leaves no method of this figure.";
+  figure.none.textContent = shown.size ? "" : `${figure.missed ? "The answer" : "The filter"} leaves no method of this figure.`;
   for (const button of figure.legend?.querySelectorAll("button") ?? []) button.setAttribute("aria-pressed", String(figure.chosen.has(button.dataset.name)));
 }
 
@@ -29,15 +29,18 @@ function showFigures() {
 }
 
 function isolate(figure, name) {
+  figure.missed = false;
   if (!figure.chosen.delete(name)) figure.chosen.add(name);
   remember(`only.${figure.id}`, [...figure.chosen].join("|"));
   showFigure(figure);
 }
 
+// Shows the methods of the answer alone, which may be none; all where it is null.
 function highlight(methods) {
   for (const figure of figures.values()) {
     if (!figure.follows) continue;
-    figure.chosen = new Set(figure.series.filter((one) => one.methods.some((method) => methods.has(method))).map((one) => one.name));
+    figure.chosen = new Set(figure.series.filter((one) => one.methods.some((method) => methods?.has(method))).map((one) => one.name));
+    figure.missed = methods !== null && !figure.chosen.size; // the answer has none of this figure
     showFigure(figure);
   }
 }
@@ -115,7 +118,7 @@ function dressFigure(element, series, { follows = false, prefix = element.id, mo
   const id = element.id;
   const known = figures.get(id);
   known?.legend.remove();
-  const figure = { id, element, svg, series, follows, prefix, more, at: null, chosen: new Set((state.get(`only.${id}`) ?? "").split("|").filter((name) => series.some((one) => one.name === name))) };
+  const figure = { id, element, svg, series, follows, prefix, more, at: null, missed: Boolean(known?.missed), chosen: new Set((state.get(`only.${id}`) ?? "").split("|").filter((name) => series.some((one) => one.name === name))) };
   figures.set(id, figure);
   element.classList.toggle("whole", Boolean(more) && !few(figure));
   figure.none = make("span", { class: "fault", role: "status" });
