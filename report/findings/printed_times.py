@@ -113,5 +113,5 @@ def times_as_ratios(bundle):
 
 
 def words(low, high):
-    """`2 to 3`, `at least 2`, `any`."""
-    return "any" if (low, high) == (0, math.inf) else f"at least {general(low)}" if high == math.inf else f"{general(low)} to {general(high)}"
+    """`2 to 3`, `above 2`, `any`."""
+    return "any" if (low, high) == (0, math.inf) else f"above {general(low)}" if high == math.inf else f"{general(low)} to {general(high)}"
