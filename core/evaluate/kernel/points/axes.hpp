@@ -37,7 +37,7 @@ struct CoordinatesOfPoint {
 
   static Vector read(const Number* first) {
 #ifdef __AVX__
-    // One instruction; as two loads and an insertion, Horner's scheme in three dimensions takes up to 1.5 times as long.
+    // One instruction. By two loads and an insertion Horner's scheme in three dimensions takes up to 1.5 times as long.
     if constexpr (std::same_as<Vector, VectorOf<double, 4>>) {
       constexpr VectorOf<long long, 4> in_point{-1, -1, Dimension > 2 ? -1 : 0, Dimension > 3 ? -1 : 0};
       return __builtin_ia32_maskloadpd256(reinterpret_cast<const Vector*>(first), in_point);
