@@ -19,10 +19,12 @@ export const byId = (id) => document.getElementById(id);
 // Calls `action` once, `wait` ms after the last call.
 export function late(action, wait) {
   let timer;
-  return (...given) => {
-    clearTimeout(timer);
+  const later = (...given) => {
+    later.cancel();
     timer = setTimeout(() => action(...given), wait);
   };
+  later.cancel = () => clearTimeout(timer);
+  return later;
 }
 
 // Says a sentence to everybody, to screen readers too.

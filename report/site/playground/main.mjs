@@ -262,6 +262,7 @@ function listen() {
 
 // Shows what the address says, and the first example where it says no curve.
 function follow() {
+  remember.cancel(); // what was to be remembered is of the place that was left
   byId("link-fault").textContent = "";
   let next = null;
   try {
@@ -269,7 +270,11 @@ function follow() {
     if (words) {
       takeText(decodeURIComponent(words[1]));
       // The curve has its own address, so that going back does not read the text another time.
-      if (state) { history.replaceState(placeInFile(), "", addressOf(state)); return; }
+      if (state) {
+        remember.cancel();
+        history.replaceState(placeInFile(), "", addressOf(state));
+        return;
+      }
     } else next = stateOfAddress(location.hash, views);
   } catch (wrong) {
     byId("link-fault").textContent = wrong instanceof URIError ? "The link is damaged; copy it again." : wrong.message;
