@@ -25,7 +25,7 @@ ALLOWED = [
     ("experiments/metric/error.cpp", '#include "core/bound/amplification.hpp"'),
     ("experiments/cli/main.cpp", '#include "experiments/studies/accuracy/accuracy.hpp"'),
     ("experiments/cli/commands/doctor.cpp", '#include "build_facts.hpp"'),
-    ("bindings/c/exact.cpp", '#include "reference/error/trial_scale.hpp"'),
+    ("bindings/c/exact_bound.cpp", '#include "reference/error/trial_scale.hpp"'),
     ("core/evaluate/horner_test.cpp", "#include <iostream>"),
     ("core/evaluate/horner_test.cpp", '#include "experiments/cli/run.hpp"'),
 ]
@@ -37,7 +37,7 @@ FORBIDDEN = [
     ("experiments/suite/parse.cpp", '#include "experiments/sample/sample.hpp"'),
     ("experiments/bundle/write.cpp", '#include "experiments/suite/suite.hpp"'),
     ("experiments/studies/accuracy/accuracy.cpp", '#include "experiments/cli/options.hpp"'),
-    ("bindings/c/exact.cpp", '#include "experiments/metric/tally.hpp"'),
+    ("bindings/c/exact_bound.cpp", '#include "experiments/metric/tally.hpp"'),
     ("reference/exact.hpp", '#include "core/bound/error_bound.hpp"'),
     ("core/evaluate/schemes/correctly_rounded_integers.hpp", "#include <boost/multiprecision/cpp_int.hpp>"),
     # the right folder, the wrong file

@@ -193,7 +193,7 @@ TEST(ChebyshevSeries, CombinesAxes) {
 
 }  // namespace
 
-// Eight speeds computed at once have the bits of single ones.
+// Eight speeds that are computed at once have the same bits as when each is computed alone.
 
 namespace {
 

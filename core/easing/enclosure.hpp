@@ -149,9 +149,9 @@ class EasingEncloser {
 /// and x2 in [0, 1], all numbers are finite. Takes microseconds; up to milliseconds where the exponents are hundreds
 /// apart.
 ///
-/// x(t) - x has one root in (0, 1), of whatever multiplicity, and is not 0 at 0 and 1, so that its Tarski query with
-/// Q = y(t) - (a + b) / 2 is the sign: the number of variations at 0 less that at 1 of the signed remainder sequence of
-/// P = x(t) - x and P' Q. Source: [Basu et al. 2006], theorem 2.61.
+/// P = x(t) - x has one root in (0, 1), of any multiplicity, and none at 0 and 1. The sign is therefore the Tarski
+/// query of Q = y(t) - (a + b) / 2 for P: in the signed remainder sequence of P and P' Q, the number of changes of sign
+/// at 0 less that at 1. Source: [Basu et al. 2006], theorem 2.61.
 int exact_easing_sign(const EasingCurve<double>& curve, double x, double a, double b);
 
 }  // namespace bezierbench

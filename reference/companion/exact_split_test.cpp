@@ -243,7 +243,7 @@ TEST(ExactControlPoints, PartsAreTheCurve) {
   }
 }
 
-/// 252 is a multiple of every C(9, i), so that of a polynomial curve nothing is rounded.
+/// 252 is a multiple of every C(9, i), so that dividing by them rounds no coordinate of a polynomial curve.
 TEST(ExactControlPoints, ElevatedCurvesAreTheCurve) {
   std::mt19937 random(4);
   for (int trial = 0; trial < 60; ++trial) {

@@ -42,7 +42,6 @@ class Site:
         doors = [door for door in DOORS if self.has(door[1])]
         self.write(at, self.environment.get_template(template).render(up="" if up == "./" else up, at=at, doors=doors, **values))
 
-
     def has(self, at):
         """Whether a page that other pages link to is part of this site."""
         return {"docs/introduction.html": (ROOT / "docs/introduction.md").exists(), "playground/index.html": self.playground}.get(at, True)

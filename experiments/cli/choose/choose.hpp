@@ -79,7 +79,7 @@ inline std::string ratio_text(const tables::Choice& choice) {
   return fmt::format("{} [{}, {}]", in_table(median), in_table(low), in_table(high));
 }
 
-/// The method with a mark before it if it is on the front: `* de_casteljau`.
+/// The id of a method, after a mark where it is on the Pareto front: `* de_casteljau`.
 inline std::string marked(const std::string& method, metric::Front front) {
   const auto* mark = front == metric::Front::on ? "* " : front == metric::Front::off ? "  " : "? ";
   return mark + method;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "core/api/flatten.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "core/api/box.hpp"
 #include "core/api/ease.hpp"
+#include "core/api/flatten.hpp"
 
 namespace bezierbench {
 

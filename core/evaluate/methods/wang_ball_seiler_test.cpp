@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The conversion to Wang-Ball form: exact over rationals, nothing cancels in its weights, and the bound it allows.
 
-#include "core/evaluate/methods/wang_ball.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +9,7 @@
 
 #include "core/evaluate/methods/rational_curve_test.hpp"
 #include "core/evaluate/methods/seiler.hpp"
+#include "core/evaluate/methods/wang_ball.hpp"
 
 namespace bezierbench {
 
@@ -120,7 +119,7 @@ std::vector<Scalar> weights_of(int k, int n) {
   return weights;
 }
 
-/// s_1 = 3 b_1 - b_0 - b_3 and s_2 = 3 b_2 - b_3 - b_0, [Yuksel 2024].
+/// The inner points of Seiler's cubic are s_1 = 3 b_1 - b_0 - b_3 and s_2 = 3 b_2 - b_3 - b_0 [Yuksel 2024].
 TEST(Seiler, TheCubicHasThePublishedPoints) {
   EXPECT_THAT(weights_of<double>(0, 3), testing::ElementsAre(1, -1, -1, 0));
   EXPECT_THAT(weights_of<double>(1, 3), testing::ElementsAre(0, 3, 0, 0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Piecewise cubics near points.
+// Piecewise cubics near points, and through points.
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// True points, and errors of values against them.
+// True points, errors of values against them, and proved bounds of these errors.
 
 #include <gmpxx.h>
 
