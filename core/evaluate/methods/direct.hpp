@@ -41,6 +41,8 @@ struct Direct : SameForEveryAxis {
       .citation = "[Report 001], section 1.4"};
   static constexpr LaneRegisters lanes{.per_axis = 1, .shared = 2};
 
+  static constexpr int largest_fixed_degree = 16;  ///< beyond, the code for every degree takes at most a tenth longer
+
   template <class Scalar, int Dimension, int Degree>
   struct Prepared {
     Curve<Form::bernstein, Scalar, Dimension, Degree> curve;
@@ -64,17 +66,16 @@ struct Direct : SameForEveryAxis {
     const int n = prepared.curve.degree();
     const Scalar s = Scalar(1) - t;
     Scalar s_powers[(Degree == dynamic ? max_factorial : Degree) + 1];
-    Scalar* after = s_powers;
     Scalar s_power(1);
-    *after++ = s_power;
-    count_down<Scalar, Degree>(n - 1, [&](int /*left*/) {
+    s_powers[0] = s_power;
+    count_down<Scalar, Degree>(n - 1, [&](int left) {
       s_power *= s;
-      *after++ = s_power;
+      s_powers[n - left] = s_power;
     });
     Scalar t_power(1);
     Point<Scalar, Dimension> sum = Point<Scalar, Dimension>::Zero();
     const auto add = [&](int left) {
-      const Scalar basis = prepared.binomial[n - left] * t_power * *--after;
+      const Scalar basis = prepared.binomial[left] * t_power * s_powers[left];
       for (int axis = 0; axis < Dimension; ++axis) sum[axis] += basis * prepared.curve.from_end(axis, left);
     };
     add(n);

@@ -8,10 +8,10 @@
 // Fails: as any power form, when its coefficients came out of a rounded conversion.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <type_traits>
 
 #include "core/bound/amplification.hpp"
 #include "core/evaluate/evaluator.hpp"
@@ -37,70 +37,84 @@ struct OnAxes {
   }
 };
 
-/// `Size` coefficients from `first` on, joined. Size is a power of two, and powers[k] is t^(2^k).
-template <int Size, class Scalar, class Coefficient>
-[[gnu::always_inline]] inline auto joined_block(const Coefficient& q, int first, const Scalar* powers) {
-  if constexpr (Size == 1) {
-    return q(first);
+/// The coefficients q(0), ..., q(Count - 1) joined: those of the largest power of two below `Count`, and the others
+/// with the power of t between the two. powers[k] is t^(2^k), wherever it is used.
+template <int Count, class Scalar, class Coefficient>
+[[gnu::always_inline]] inline auto joined(const Coefficient& q, const Scalar* powers) {
+  if constexpr (Count == 1) {
+    return q(0);
   } else {
-    constexpr int half = Size / 2;
-    return joined_block<half>(q, first, powers) +
-           joined_block<half>(q, first + half, powers) * powers[std::bit_width(static_cast<unsigned>(half)) - 1];
+    constexpr int k = std::bit_width(static_cast<unsigned>(Count - 1)) - 1;
+    return joined<1 << k>(q, powers) +
+           joined<Count - (1 << k)>([&q](int i) { return q(i + (1 << k)); }, powers) * powers[k];
   }
 }
 
-/// Joins at least 32 coefficients: blocks of sixteen, two halves of a larger block as soon as both are there, and
-/// `rest`, what is joined of the count % 16 coefficients behind them. powers[k] is t^(2^k).
-template <class Scalar, class Coefficient, class Value>
-[[gnu::always_inline]] inline Value joined_blocks(int count, const Coefficient& q,
-                                                  const std::array<Scalar, 5>& first_powers, Value rest) {
+/// The last `count` < 16 coefficients joined, from_end(0) being the last one; anything for 0. Each count has code of
+/// its own.
+template <class Scalar, class Coefficient>
+[[gnu::always_inline]] inline auto joined_end(int count, const Coefficient& from_end, const Scalar* powers) {
+  const auto last = [&]<int Count>(std::integral_constant<int, Count> /*count*/) {
+    return joined<Count>([&from_end](int i) { return from_end(Count - 1 - i); }, powers);
+  };
+  switch (count) {
+    case 2: return last(std::integral_constant<int, 2>());
+    case 3: return last(std::integral_constant<int, 3>());
+    case 4: return last(std::integral_constant<int, 4>());
+    case 5: return last(std::integral_constant<int, 5>());
+    case 6: return last(std::integral_constant<int, 6>());
+    case 7: return last(std::integral_constant<int, 7>());
+    case 8: return last(std::integral_constant<int, 8>());
+    case 9: return last(std::integral_constant<int, 9>());
+    case 10: return last(std::integral_constant<int, 10>());
+    case 11: return last(std::integral_constant<int, 11>());
+    case 12: return last(std::integral_constant<int, 12>());
+    case 13: return last(std::integral_constant<int, 13>());
+    case 14: return last(std::integral_constant<int, 14>());
+    case 15: return last(std::integral_constant<int, 15>());
+    default: return last(std::integral_constant<int, 1>());
+  }
+}
+
+/// `count` coefficients joined, q(0) being the first and from_end(0) the last one: blocks of sixteen, two halves of a
+/// larger block as soon as both are there, and behind them the other count % 16. The operands are those of Estrin's
+/// levels, and so are the bits.
+template <class Scalar, class Coefficient, class FromEnd>
+[[gnu::always_inline]] inline auto joined(int count, const Coefficient& q, const FromEnd& from_end, const Scalar& t) {
   constexpr int most = std::bit_width(static_cast<unsigned>(max_degree + 1));
   Scalar powers[most];
-  std::copy(first_powers.begin(), first_powers.end(), powers);
-  for (int k = 5; 1 << k < count; ++k) powers[k] = powers[k - 1] * powers[k - 1];
-  Value blocks[most];  // the k-th of 2^k coefficients
-  Value pair = rest;   // of the first 32, which wait for no memory where they are all that is left
+  powers[0] = t;
+  const auto square = [&powers](int k) { powers[k] = powers[k - 1] * powers[k - 1]; };
+  for (int k = 1; k < 4; ++k) {
+    powers[k] = t;  // nothing reads it; compilers do not see that
+    if (count >= 16 || 1 << k < count) square(k);
+  }
+  const int others = count % 16;
+  auto end = joined_end<Scalar>(others, from_end, powers);
+  if (count < 16) return end;
+  const auto block = [&](int first) { return joined<16, Scalar>([&q, first](int i) { return q(first + i); }, powers); };
+  if (count == 16) return block(0);
+  square(4);
+  if (count < 32) return block(0) + end * powers[4];
+  if (count < 64) {
+    const auto pair = block(0) + block(16) * powers[4];
+    if (count == 32) return pair;
+    square(5);
+    if (count < 48) return pair + end * powers[5];
+    const auto third = block(32);
+    return pair + (others == 0 ? third : third + end * powers[4]) * powers[5];
+  }
+  for (int k = 5; 1 << k < count; ++k) square(k);
+  decltype(end) blocks[most];  // the k-th of 2^k coefficients
   for (int first = 0; first + 16 <= count; first += 16) {
-    Value block = joined_block<16>(q, first, powers);
-    if (count < 64) {
-      if (first == 32)
-        rest = count == 48 ? block : block + rest * powers[4];
-      else
-        pair = first == 0 ? block : pair + block * powers[4];
-      continue;
-    }
+    auto whole = block(first);
     int k = 4;
-    for (; (first >> k & 1) != 0; ++k) block = blocks[k] + block * powers[k];
-    blocks[k] = block;
+    for (; (first >> k & 1) != 0; ++k) whole = blocks[k] + whole * powers[k];
+    blocks[k] = whole;
   }
-  if (count < 64) return count == 32 ? pair : pair + rest * powers[5];
   for (int k = 4; count >> k != 0; ++k)
-    if ((count >> k & 1) != 0) rest = count % (1 << k) == 0 ? blocks[k] : blocks[k] + rest * powers[k];
-  return rest;
-}
-
-/// The coefficients q(0), ..., q(count - 1) joined. `count` is a sum of powers of two, and Estrin's levels join a block
-/// of each with what is joined of the smaller ones behind it, which is `rest` for those below 2^K. powers[k] is
-/// t^(2^k). The operands are those of the levels, and so are the bits.
-template <std::size_t K, class Scalar, class Coefficient, class Value>
-[[gnu::always_inline]] inline Value joined(int count, const Coefficient& q, const std::array<Scalar, K + 1>& powers,
-                                           Value rest) {
-  constexpr int size = 1 << K;
-  if constexpr (size == 16)
-    if (count >= 2 * size) return joined_blocks(count, q, powers, rest);
-  if ((count & size) != 0) {
-    const Value block = joined_block<size>(q, count & ~(2 * size - 1), powers.data());
-    rest = count % size == 0 ? block : block + rest * powers[K];
-  }
-  if constexpr (size < 16)
-    if (count >= 2 * size) {
-      if (count == 2 * size) return joined_block<2 * size>(q, 0, powers.data());
-      std::array<Scalar, K + 2> more;
-      for (std::size_t k = 0; k <= K; ++k) more[k] = powers[k];
-      more[K + 1] = powers[K] * powers[K];
-      return joined<K + 1>(count, q, more, rest);
-    }
-  return rest;
+    if ((count >> k & 1) != 0) end = count % (1 << k) == 0 ? blocks[k] : blocks[k] + end * powers[k];
+  return end;
 }
 
 }  // namespace detail
@@ -126,22 +140,31 @@ struct Estrin : TakenAsGiven<Form::power> {
       .citation = "[Estrin 1960]"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 3};
 
-  static constexpr int largest_fixed_degree = 16;  ///< beyond, to take the degree apart costs little
-
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {
     const int n = curve.degree();
-    const auto q = [&curve](int i) {
+    const auto coefficient = [](const auto& read) {
       if constexpr (Dimension == 1) {
-        return curve(0, i);
+        return read(0);
       } else {
-        detail::OnAxes<Scalar, Dimension> coefficient;
-        for (int axis = 0; axis < Dimension; ++axis)
-          coefficient.values[static_cast<std::size_t>(axis)] = curve(axis, i);
-        return coefficient;
+        detail::OnAxes<Scalar, Dimension> axes;
+        for (int axis = 0; axis < Dimension; ++axis) axes.values[static_cast<std::size_t>(axis)] = read(axis);
+        return axes;
       }
     };
-    const auto joined = detail::joined<0>(n + 1, q, std::array<Scalar, 1>{t}, q(n));
+    const auto q = [&](int i) { return coefficient([&](int axis) { return curve(axis, i); }); };
+    const auto from_end = [&](int k) { return coefficient([&](int axis) { return curve.from_end(axis, k); }); };
+    const auto joined = [&] {
+      if constexpr (Degree >= 0) {
+        constexpr int most = std::bit_width(static_cast<unsigned>(Degree)) + 1;
+        Scalar powers[most];
+        powers[0] = t;
+        for (int k = 1; 1 << k <= Degree; ++k) powers[k] = powers[k - 1] * powers[k - 1];
+        return detail::joined<Degree + 1, Scalar>(q, powers);
+      } else {
+        return detail::joined(n + 1, q, from_end, t);
+      }
+    }();
     Point<Scalar, Dimension> p;
     for (int axis = 0; axis < Dimension; ++axis)
       if constexpr (Dimension == 1)

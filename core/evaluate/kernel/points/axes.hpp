@@ -42,6 +42,8 @@ struct CoordinatesOfPoint {
       constexpr VectorOf<long long, 4> in_point{-1, -1, Dimension > 2 ? -1 : 0, Dimension > 3 ? -1 : 0};
       return __builtin_ia32_maskloadpd256(reinterpret_cast<const Vector*>(first), in_point);
     }
+    if constexpr (std::same_as<Vector, VectorOf<float, 4>> && Dimension == 3)
+      return __builtin_ia32_maskloadps(reinterpret_cast<const Vector*>(first), VectorOf<int, 4>{-1, -1, -1, 0});
 #endif
     return read(first, std::make_integer_sequence<int, lanes>());
   }
