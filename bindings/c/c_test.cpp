@@ -23,12 +23,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// (0,0) (1,2) (3,0.1): 2t + t^2, 4t - 3.9 t^2 except for the rounding of 0.1.
-constexpr std::array points{0.0, 0.0, 1.0, 2.0, 3.0, 0.1};
-constexpr bb_curve parabola{BB_BERNSTEIN, 2, 2, points.data(), nullptr};
-constexpr std::array weights{1.0, 0.5, 1.0};
-constexpr bb_curve rational{BB_RATIONAL, 2, 2, points.data(), weights.data()};
+constexpr std::array parabola_points{0.0, 0.0, 1.0, 2.0, 3.0, 0.1};
+constexpr bb_curve parabola{BB_BERNSTEIN, 2, 2, parabola_points.data(), nullptr};
+constexpr std::array rational_weights{1.0, 0.5, 1.0};
+constexpr bb_curve rational_parabola{BB_RATIONAL, 2, 2, parabola_points.data(), rational_weights.data()};
 constexpr std::array parameters{0.0, 0.25, 0.5, 0.875, 1.0};
-constexpr auto count = parameters.size();
+constexpr auto parameter_count = parameters.size();
 
 std::vector<bb_method> methods(const std::string& problem) {
   std::vector<bb_method> result;
@@ -52,16 +52,17 @@ std::string exact_text(const bb_curve& curve, double t, int axis) {
 }
 
 TEST(C, EveryMethodIsWithinItsBound) {
-  const std::array forms{parabola, bb_curve{BB_POWER, 2, 2, points.data(), nullptr}, rational};
+  const std::array forms{parabola, bb_curve{BB_POWER, 2, 2, parabola_points.data(), nullptr}, rational_parabola};
   int judged = 0;
   for (const auto& method : methods("evaluation")) {
     const auto& curve = forms[static_cast<std::size_t>(method.form)];
-    std::array<double, 2 * count> values{};
-    ASSERT_EQ(bb_curve_evaluate(method.id, &curve, parameters.data(), count, values.data()), BB_OK) << method.id;
-    std::array<bb_error, 2 * count> errors{};
-    ASSERT_EQ(bb_curve_error(&curve, parameters.data(), count, values.data(), errors.data()), BB_OK);
-    std::array<bb_bound, 2 * count> bounds{};
-    const int status = bb_curve_bound(method.id, &curve, parameters.data(), count, bounds.data());
+    std::array<double, 2 * parameter_count> values{};
+    ASSERT_EQ(bb_curve_evaluate(method.id, &curve, parameters.data(), parameter_count, values.data()), BB_OK)
+        << method.id;
+    std::array<bb_error, 2 * parameter_count> errors{};
+    ASSERT_EQ(bb_curve_error(&curve, parameters.data(), parameter_count, values.data(), errors.data()), BB_OK);
+    std::array<bb_bound, 2 * parameter_count> bounds{};
+    const int status = bb_curve_bound(method.id, &curve, parameters.data(), parameter_count, bounds.data());
     if (*method.bound == '\0') {
       EXPECT_EQ(status, BB_ERROR_NO_BOUND) << method.id;
       continue;
@@ -74,15 +75,15 @@ TEST(C, EveryMethodIsWithinItsBound) {
 }
 
 TEST(C, ExactPointsAreRoundedOnce) {
-  std::array<double, 2 * count> exact{};
-  ASSERT_EQ(bb_exact(2, 2, points.data(), parameters.data(), count, exact.data()), BB_OK);
-  for (std::size_t i = 0; i < count; ++i) {
+  std::array<double, 2 * parameter_count> exact{};
+  ASSERT_EQ(bb_exact(2, 2, parabola_points.data(), parameters.data(), parameter_count, exact.data()), BB_OK);
+  for (std::size_t i = 0; i < parameter_count; ++i) {
     const long double t = parameters[i];  // of few bits, so that these sums are exact in long double
     EXPECT_EQ(exact[2 * i], static_cast<double>(2 * t + t * t));
-    EXPECT_EQ(exact[2 * i + 1], static_cast<double>(4 * t * (1 - t) + t * t * points[5]));
+    EXPECT_EQ(exact[2 * i + 1], static_cast<double>(4 * t * (1 - t) + t * t * parabola_points[5]));
   }
   EXPECT_EQ(exact_text(parabola, 0.5, 0), "5/4");
-  EXPECT_EQ(exact_text(rational, 0.5, 0), "4/3");  // (0 + 2/2 1 + 3) / (1 + 2/2 + 1)
+  EXPECT_EQ(exact_text(rational_parabola, 0.5, 0), "4/3");  // (0 + 2/2 1 + 3) / (1 + 2/2 + 1)
   EXPECT_EQ(exact_text(parabola, 1, 0), "3");
   EXPECT_EQ(exact_text(parabola, -1, 0), "-1");
 }
@@ -102,15 +103,16 @@ TEST(C, ErrorsAreInEveryUnit) {
 TEST(C, APreparedCurveGivesTheSameBits) {
   for (const auto& method : methods("evaluation")) {
     if (method.form != BB_BERNSTEIN) continue;
-    auto copy = points;
+    auto copy = parabola_points;
     const bb_curve curve{BB_BERNSTEIN, 2, 2, copy.data(), nullptr};
     bb_prepared* prepared = nullptr;
     ASSERT_EQ(bb_prepare(method.id, &curve, &prepared), BB_OK);
     copy.fill(not_a_number);  // it is independent of the array
-    std::array<double, 2 * count> once{};
-    std::array<double, 2 * count> again{};
-    EXPECT_EQ(bb_evaluate(method.id, 2, 2, points.data(), parameters.data(), count, once.data()), BB_OK);
-    EXPECT_EQ(bb_prepared_evaluate(prepared, parameters.data(), count, again.data()), BB_OK);
+    std::array<double, 2 * parameter_count> once{};
+    std::array<double, 2 * parameter_count> again{};
+    EXPECT_EQ(bb_evaluate(method.id, 2, 2, parabola_points.data(), parameters.data(), parameter_count, once.data()),
+              BB_OK);
+    EXPECT_EQ(bb_prepared_evaluate(prepared, parameters.data(), parameter_count, again.data()), BB_OK);
     EXPECT_EQ(once, again) << method.id;
     bb_prepared_free(prepared);
   }
@@ -380,7 +382,7 @@ TEST(C, ChordsLeadFromEndToEnd) {
   const bb_curve pole{BB_RATIONAL, 2, 2, points.data(), opposite.data()};
   EXPECT_EQ(bb_flatten("halving_distance", &pole, 1, nullptr, nullptr, 0, &ends, &complete), BB_ERROR_NO_POINT);
   EXPECT_EQ(bb_flatten("wang_count", &curve, 0, nullptr, nullptr, 0, &ends, &complete), BB_ERROR_TOLERANCE);
-  EXPECT_EQ(bb_flatten("wang_count", &rational, 1, nullptr, nullptr, 0, &ends, &complete), BB_ERROR_FORM);
+  EXPECT_EQ(bb_flatten("wang_count", &rational_parabola, 1, nullptr, nullptr, 0, &ends, &complete), BB_ERROR_FORM);
   EXPECT_EQ(bb_flatten("wang_count", &curve, 1, nullptr, nullptr, 0, nullptr, &complete), BB_ERROR_NULL);
   EXPECT_EQ(bb_flatten("wang_count", &curve, 1, nullptr, nullptr, 9, &ends, &complete), BB_ERROR_NULL);
   EXPECT_EQ(bb_flatten("hain", &curve, 1, nullptr, nullptr, 0, &ends, &complete), BB_ERROR_DEGREE);
@@ -405,10 +407,11 @@ TEST(C, DerivativesAndGridsAreThoseOfTheCurve) {
   for (const auto& method : methods("derivative")) {
     if (method.form != BB_BERNSTEIN || std::string(method.id) == "seed_000")
       continue;  // which is wrong from order 2 on
-    std::array<double, 2 * count> out{};
+    std::array<double, 2 * parameter_count> out{};
     for (const int order : {0, 1, 2, 3}) {
-      ASSERT_EQ(bb_derivative(method.id, &parabola, order, parameters.data(), count, out.data()), BB_OK) << method.id;
-      for (std::size_t k = 0; k < count; ++k) {
+      ASSERT_EQ(bb_derivative(method.id, &parabola, order, parameters.data(), parameter_count, out.data()), BB_OK)
+          << method.id;
+      for (std::size_t k = 0; k < parameter_count; ++k) {
         const double t = parameters[k];
         const double expected = order == 0 ? 2 * t + t * t : order == 1 ? 2 + 2 * t : order == 2 ? 2 : 0;
         EXPECT_NEAR(out[2 * k], expected, 1e-14) << method.id << ", order " << order;
@@ -430,7 +433,7 @@ TEST(C, DerivativesAndGridsAreThoseOfTheCurve) {
   double out = 7;
   const double t = 0.5;
   EXPECT_EQ(bb_derivative("differences_horner", &parabola, -1, &t, 1, &out), BB_ERROR_PARAMETER);
-  EXPECT_EQ(bb_derivative("differences_de_casteljau", &rational, 1, &t, 1, &out), BB_ERROR_FORM);
+  EXPECT_EQ(bb_derivative("differences_de_casteljau", &rational_parabola, 1, &t, 1, &out), BB_ERROR_FORM);
   EXPECT_EQ(bb_derivative("de_casteljau", &parabola, 1, &t, 1, &out), BB_ERROR_METHOD);
   EXPECT_EQ(bb_grid("pointwise_de_casteljau", &parabola, 5, &out), BB_ERROR_COUNT);
   EXPECT_EQ(bb_grid("pointwise_de_casteljau", &parabola, 4, nullptr), BB_ERROR_NULL);
@@ -452,7 +455,7 @@ TEST(C, HalvesAreThoseOfTheCurve) {
   const bb_half second{right.data(), right_weights.data()};
   for (const auto& method : methods("subdivision")) {
     const bool weighted = method.form == BB_RATIONAL;
-    ASSERT_EQ(bb_split(method.id, weighted ? &rational : &parabola, 0.5, &first, &second), BB_OK) << method.id;
+    ASSERT_EQ(bb_split(method.id, weighted ? &rational_parabola : &parabola, 0.5, &first, &second), BB_OK) << method.id;
     const std::array<double, 5> x =
         weighted ? std::array{0.0, 1.0 / 3, 4.0 / 3, 7.0 / 3, 3.0} : std::array{0.0, 0.5, 1.25, 2.0, 3.0};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -464,10 +467,10 @@ TEST(C, HalvesAreThoseOfTheCurve) {
     EXPECT_EQ(right_weights, (std::array{0.75, 0.75, 1.0}));
   }
   const std::array opposite{1.0, 0.0, -1.0};  // whose weights at 1/2 sum to 0
-  const bb_curve pole{BB_RATIONAL, 2, 2, points.data(), opposite.data()};
+  const bb_curve pole{BB_RATIONAL, 2, 2, parabola_points.data(), opposite.data()};
   EXPECT_EQ(bb_split("de_casteljau_split", &pole, 0.5, &first, &second), BB_ERROR_NO_POINT);
   const bb_half unweighted{left.data(), nullptr};
-  EXPECT_EQ(bb_split("de_casteljau_split", &rational, 0.5, &unweighted, &second), BB_ERROR_NULL);
+  EXPECT_EQ(bb_split("de_casteljau_split", &rational_parabola, 0.5, &unweighted, &second), BB_ERROR_NULL);
   EXPECT_EQ(bb_split("de_casteljau_split", &parabola, infinity, &first, &second), BB_ERROR_NOT_FINITE);
 }
 
@@ -651,7 +654,7 @@ TEST(C, WhatIsWrongIsRefusedAndNothingIsWritten) {
   const auto evaluate = [&](const char* method, int dimension, int degree, const double* b, const double* at) {
     return bb_evaluate(method, dimension, degree, b, at, 1, &out);
   };
-  const double* b = points.data();
+  const double* b = parabola_points.data();
   EXPECT_EQ(evaluate("de_casteljau", 1, 2, nullptr, &t), BB_ERROR_NULL);
   EXPECT_EQ(evaluate("de_casteljau", 1, 2, b, nullptr), BB_ERROR_NULL);
   EXPECT_EQ(bb_evaluate("de_casteljau", 1, 2, b, &t, 1, nullptr), BB_ERROR_NULL);
@@ -681,14 +684,14 @@ TEST(C, CurvesAreChecked) {
   std::array<double, 2> out{};
   const auto exact = [&](const bb_curve& curve) { return bb_curve_exact(&curve, &t, 1, out.data()); };
   EXPECT_EQ(bb_curve_exact(nullptr, &t, 1, out.data()), BB_ERROR_NULL);
-  EXPECT_EQ(exact({3, 2, 2, points.data(), nullptr}), BB_ERROR_FORM);
-  EXPECT_EQ(exact({BB_RATIONAL, 2, 2, points.data(), nullptr}), BB_ERROR_NULL);
+  EXPECT_EQ(exact({3, 2, 2, parabola_points.data(), nullptr}), BB_ERROR_FORM);
+  EXPECT_EQ(exact({BB_RATIONAL, 2, 2, parabola_points.data(), nullptr}), BB_ERROR_NULL);
   constexpr std::array<double, 3> zeros{};
-  EXPECT_EQ(exact({BB_RATIONAL, 2, 2, points.data(), zeros.data()}), BB_ERROR_NO_POINT);
+  EXPECT_EQ(exact({BB_RATIONAL, 2, 2, parabola_points.data(), zeros.data()}), BB_ERROR_NO_POINT);
   constexpr std::array<double, 3> cancelling{1, -1, 1};  // 1 - 4 t (1 - t) is 0 at 1/2
-  EXPECT_EQ(exact({BB_RATIONAL, 2, 2, points.data(), cancelling.data()}), BB_ERROR_NO_POINT);
+  EXPECT_EQ(exact({BB_RATIONAL, 2, 2, parabola_points.data(), cancelling.data()}), BB_ERROR_NO_POINT);
   double length = 0;
-  const bb_curve power{BB_POWER, 2, 2, points.data(), nullptr};
+  const bb_curve power{BB_POWER, 2, 2, parabola_points.data(), nullptr};
   EXPECT_EQ(bb_exact_arc_length(&power, 0, 1, &length), BB_ERROR_FORM);
   EXPECT_EQ(bb_exact_arc_length(&parabola, 0.5, 0.25, &length), BB_ERROR_PARAMETER);
   EXPECT_EQ(bb_exact_arc_length(&parabola, 0, not_a_number, &length), BB_ERROR_PARAMETER);
@@ -700,13 +703,13 @@ TEST(C, TruthsThatTakeLongAreStopped) {
   const volatile int flag = 1;
   std::array<double, 2> out{};
   bb_stop_when(&flag);
-  const std::vector<int> stopped{bb_exact_project(&parabola, points.data(), &out[0], &out[1]),
-                                 bb_project_error(&parabola, points.data(), 0, 0, out.data()),
+  const std::vector<int> stopped{bb_exact_project(&parabola, parabola_points.data(), &out[0], &out[1]),
+                                 bb_project_error(&parabola, parabola_points.data(), 0, 0, out.data()),
                                  bb_exact_arc_length(&parabola, 0, 1, out.data()),
                                  bb_arc_length_error(&parabola, 0, 1, 0, out.data())};
   bb_stop_when(nullptr);
   EXPECT_EQ(stopped, std::vector<int>(4, BB_ERROR_STOPPED));
-  EXPECT_EQ(bb_exact_project(&parabola, points.data(), &out[0], &out[1]), BB_OK);
+  EXPECT_EQ(bb_exact_project(&parabola, parabola_points.data(), &out[0], &out[1]), BB_OK);
 }
 
 /// Everything that computes, for its status.
@@ -724,9 +727,9 @@ std::vector<int> statuses() {
   bb_fitted* fitted = nullptr;
   bb_prepared* prepared = nullptr;
   const bb_batch batch{BB_BERNSTEIN, 2, 2, 1, 1, nullptr, nullptr, nullptr};
-  return {bb_evaluate("horner_bernstein", 2, 2, points.data(), &t, 1, out.data()),
-          bb_evaluate_curves("horner_bernstein", &batch, points.data(), nullptr, &t, out.data()),
-          bb_exact(2, 2, points.data(), &t, 1, out.data()),
+  return {bb_evaluate("horner_bernstein", 2, 2, parabola_points.data(), &t, 1, out.data()),
+          bb_evaluate_curves("horner_bernstein", &batch, parabola_points.data(), nullptr, &t, out.data()),
+          bb_exact(2, 2, parabola_points.data(), &t, 1, out.data()),
           bb_curve_error(&parabola, &t, 1, out.data(), error),
           bb_curve_bound("de_casteljau", &parabola, &t, 1, bound),
           bb_arc_length("gauss_legendre_24", &parabola, 0, 1, 1e-9, &length),
@@ -737,12 +740,12 @@ std::vector<int> statuses() {
           bb_split("de_casteljau_split", &parabola, t, &half, &half),
           bb_box("exact_box", &parabola, segments.data()),
           bb_bound_float("de_casteljau", 2, 2, single.data(), single.data(), 1, bound),
-          bb_project("scan_refine", &parabola, points.data(), &foot),
-          bb_interpolate(nullptr, 2, points.data(), 3, segments.data()),
+          bb_project("scan_refine", &parabola, parabola_points.data(), &foot),
+          bb_interpolate(nullptr, 2, parabola_points.data(), 3, segments.data()),
           bb_prepare("de_casteljau", &parabola, &prepared) == BB_OK ? (bb_prepared_free(prepared), BB_OK)
                                                                     : BB_ERROR_ENVIRONMENT,
-          bb_fit("gauss_newton", 2, points.data(), 3, 1, &fitted) == BB_OK ? (bb_fitted_free(fitted), BB_OK)
-                                                                           : BB_ERROR_ENVIRONMENT};
+          bb_fit("gauss_newton", 2, parabola_points.data(), 3, 1, &fitted) == BB_OK ? (bb_fitted_free(fitted), BB_OK)
+                                                                                    : BB_ERROR_ENVIRONMENT};
 }
 
 TEST(C, AnotherRoundingModeIsRefused) {
@@ -799,7 +802,7 @@ TEST(C, ThreadsDoNotDisturbEachOther) {
     std::vector<double> exact(values.size());
     std::vector<bb_error> errors(values.size());
     EXPECT_EQ(bb_prepared_evaluate(prepared, t.data(), t.size(), values.data()), BB_OK);
-    EXPECT_EQ(bb_exact(2, 2, points.data(), t.data(), t.size(), exact.data()), BB_OK);
+    EXPECT_EQ(bb_exact(2, 2, parabola_points.data(), t.data(), t.size(), exact.data()), BB_OK);
     EXPECT_EQ(bb_curve_error(&parabola, t.data(), t.size(), values.data(), errors.data()), BB_OK);
     double length = 0;
     EXPECT_EQ(bb_exact_arc_length(&parabola, 0, 1, &length), BB_OK);

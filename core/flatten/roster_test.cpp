@@ -307,8 +307,9 @@ TEST(Flatten, AQuarterCircle) {
       if (kernel.info->form != Form::rational) continue;
       const auto chords = flattened(kernel, circle, tolerance);
       EXPECT_GE(static_cast<double>(chords.t.size()) - 1, least) << kernel.info->id;
-      if (kernel.info->id != "halving_length")
+      if (kernel.info->id != "halving_length") {
         EXPECT_LE(static_cast<double>(chords.t.size()) - 1, 2.4 * least + 2) << kernel.info->id;
+      }
     }
   }
 }

@@ -86,7 +86,9 @@ TEST(RationalProjection, SubdivisionMissesNothing) {
       EXPECT_GE(foot.distance, least - 0x1p-46) << what;
       if (kernel.info->id != "subdivide_hull") continue;
       // Where few weights dominate, the curve passes most of its length between two neighbouring t.
-      if (foot.converged) EXPECT_LE(error, trial % 4 == 3 ? 0x1p-40 : 0x1p-46) << what;
+      if (foot.converged) {
+        EXPECT_LE(error, trial % 4 == 3 ? 0x1p-40 : 0x1p-46) << what;
+      }
       unconverged += foot.converged ? 0 : 1;
     }
   }
@@ -111,9 +113,15 @@ TEST(RationalProjection, SubdivisionKnowsWherePartsOfTheCurveHaveSmallWeights) {
     for (const double weight : {1e-5, 1e-30, 1e-100, 1e-200, 1e-265, 1e-300}) {
       const auto foot = project(n, weight);
       const auto what = std::to_string(n) + " " + std::to_string(weight);
-      if (foot.converged) EXPECT_NEAR(foot.distance, 9, 1e-10) << what;
-      if (weight > std::ldexp(1, -30 * n) && weight > 1e-271) EXPECT_TRUE(foot.converged) << what;
-      if (weight < 1e-271) EXPECT_FALSE(foot.converged) << what;
+      if (foot.converged) {
+        EXPECT_NEAR(foot.distance, 9, 1e-10) << what;
+      }
+      if (weight > std::ldexp(1, -30 * n) && weight > 1e-271) {
+        EXPECT_TRUE(foot.converged) << what;
+      }
+      if (weight < 1e-271) {
+        EXPECT_FALSE(foot.converged) << what;
+      }
     }
 }
 

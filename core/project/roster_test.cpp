@@ -122,7 +122,9 @@ TEST(RootSolvers, FindTheRootsOfAPolynomial) {
         if (root < 0 || root > 1) continue;
         double nearest = 1;
         for (const double t : found.t) nearest = std::min(nearest, std::abs(t - root));
-        if (root > 0 && root < 1) EXPECT_LE(nearest, error) << root;
+        if (root > 0 && root < 1) {
+          EXPECT_LE(nearest, error) << root;
+        }
       }
       for (const double t : found.t) {  // nothing else, but a root of the other sign that rounding made complex
         double nearest = 1;

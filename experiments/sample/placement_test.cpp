@@ -79,7 +79,7 @@ TEST(Placement, MirrorsTheCurve) {
 
 /// At the centre of curvature (C - P).C' has a double root: q.C' = 0 and |C'|^2 + q.C'' = 0 with q = C - P.
 TEST(Placement, FindsTheCentreOfCurvature) {
-  ProjectionCase parabola{2, 2, {0, 0, 1, 0, 2, 2}, {9, 9}};  // (u, u^2 / 2), u = 2t: radius 1 at its vertex
+  ProjectionCase parabola{2, 2, {0, 0, 1, 0, 2, 2}, {9, 9}, {}};  // (u, u^2 / 2), u = 2t: radius 1 at its vertex
   find("centre").place(parabola, 0);
   EXPECT_EQ(parabola.point, (std::vector<double>{0, 1}));
 }

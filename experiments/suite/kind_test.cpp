@@ -53,9 +53,9 @@ std::string line_of(const Kind& kind, const Field& field) {
 }
 
 TEST(Kinds, HaveIdsAndDescriptions) {
-  std::set<std::string_view> ids;
+  std::set<std::string_view> seen;
   for (const Kind* kind : studies::kinds()) {
-    EXPECT_TRUE(ids.insert(kind->id).second) << kind->id;
+    EXPECT_TRUE(seen.insert(kind->id).second) << kind->id;
     EXPECT_EQ(&studies::kind(kind->id), kind);
     EXPECT_FALSE(kind->about.empty());
     EXPECT_EQ(&kind_of(parsed(study_of(*kind))), kind);

@@ -45,13 +45,13 @@ Real largest(const std::vector<Real>& values) {
 }
 
 /// A bound of what rounding adds to the length of the part. Each step of de Casteljau's algorithm rounds a coordinate
-/// by at most 4 units of the convex combination of magnitudes, which `largest_size` bounds. The quotient from / to, at
+/// by at most 4 units of the convex combination of magnitudes, which `max_magnitude` bounds. The quotient from / to, at
 /// which the curve is cut the second time, is rounded as well: this moves the beginning of the part.
 template <class Real>
-Real rounding_of_part(const Hodograph<Real>& h, const Real& largest_size, double from, double to) {
+Real rounding_of_part(const Hodograph<Real>& h, const Real& max_magnitude, double from, double to) {
   const Real unit = Precision<Real>::unit();
   const auto d = static_cast<double>(h.dimension);
-  Real off = 8 * d * static_cast<double>(h.degree() + 1) * unit * largest_size;
+  Real off = 8 * d * static_cast<double>(h.degree() + 1) * unit * max_magnitude;
   if (from > 0 && from < to) off += 4 * d * unit * largest(h.vectors) * to / (Real(to) - Real(from));
   return off;
 }

@@ -277,7 +277,8 @@ TEST(SourceDocument, TheDerivativeByTheLengthHasSizeOne) {
       const auto t_at = [&](double length) {
         return kernel_of(BracketedNewton::info).solve(view(points), length, 1e-13).t;
       };
-      const auto chord = formula.derivative(0, t_at(whole * part + step)) - formula.derivative(0, t_at(whole * part));
+      const auto chord =
+          (formula.derivative(0, t_at(whole * part + step)) - formula.derivative(0, t_at(whole * part))).eval();
       EXPECT_NEAR(chord.norm() / step, 1, 1e-5);
       EXPECT_GT(std::abs(formula.derivative(1, t_at(whole * part)).norm() - 1), 0.01);
     }

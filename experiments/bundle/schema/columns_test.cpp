@@ -62,9 +62,10 @@ TEST(Columns, KeysOfOneNameAreOfOneType) {
   std::map<std::string, bool> seen;
   for (const auto& table : declared_tables())
     for (const auto& column : table.columns)
-      if (column.is_key && !(column.name == "degree" && table.study == "table"))
+      if (column.is_key && !(column.name == "degree" && table.study == "table")) {
         EXPECT_EQ(seen.try_emplace(column.name, column.is_number).first->second, column.is_number)
             << table.file << ' ' << column.name;
+      }
 }
 
 }  // namespace

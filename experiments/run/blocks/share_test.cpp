@@ -57,7 +57,9 @@ TEST(Dealt, EveryBlockToOneShardAndAboutTheSameCostToEach) {
             ASSERT_LE(run.second, job.blocks());
             seen.insert(run);
             sum += run.second - run.first;
-            if (!timing) EXPECT_LE(cost_of(job, run), job.total_cost() / static_cast<double>(count) + 100 * (1 + 1e-9));
+            if (!timing) {
+              EXPECT_LE(cost_of(job, run), job.total_cost() / static_cast<double>(count) + 100 * (1 + 1e-9));
+            }
           }
           ASSERT_EQ(seen.size(), job.blocks());
           ASSERT_EQ(sum, job.blocks());
