@@ -20,6 +20,7 @@ SOURCES = "reference/published/SOURCES.md"
 FOLDERS = ("core", "reference")
 PROOFS = "docs/proofs"
 LABELS = ("Formula", "Source", "Cost", "Bound", "Fails")
+REQUIRED = ("Formula", "Bound", "Fails")  # the others say what `citation` and `flops` of a method do not
 LONGEST_PROOF = 6  # lines of a comment
 WIDTH = 120  # clang-format does not wrap comments
 NO_SOURCE = "bound derived here"  # a part of a method's citation that names no source
@@ -63,6 +64,12 @@ def comments(text):
     return [(number, " ".join(lines)) for number, lines in blocks]
 
 
+def cited(text):
+    """The keys in the comments and the strings of a file. A key may go on in the next line."""
+    joined = re.sub(r'"\s*"', "", re.sub(r"\s*\n\s*//[/<! ]*", " ", text))
+    return sorted(set(re.findall(KEY, joined)))
+
+
 def opening(text):
     """The lines of the comment that opens a file, without the licence."""
     lines = []
@@ -75,11 +82,11 @@ def opening(text):
 
 
 def citation_findings(name, text, keys):
-    """Yields the citations in the comments of a file that are not listed."""
+    """Yields the citations in a file that are not listed."""
+    for key in cited(text):
+        if key not in keys:
+            yield f"{name}: [{key}] is not listed in {SOURCES}"
     for number, comment in comments(text):
-        for key in re.findall(KEY, comment):
-            if key not in keys:
-                yield f"{name}:{number}: [{key}] is not listed in {SOURCES}"
         bare = UNLISTED.search(re.sub(KEY, "", comment))
         if bare:
             yield f"{name}:{number}: '{bare[0]}' looks like a citation without its key; write a key of {SOURCES}, in brackets"
@@ -115,25 +122,14 @@ def method_headers(root):
 
 
 def header_findings(name, text):
-    """Yields what is wrong with a method's header: a missing label, or a cited key that is missing in its line Source."""
-    paragraphs = {}
-    found = []
-    for line in opening(text):
-        match = re.match(r"// ([A-Z][a-z]+): ", line)
-        if match:
-            found.append(match[1])
-        if found:
-            paragraphs[found[-1]] = paragraphs.get(found[-1], "") + " " + line[2:].strip()
-    if tuple(label for label in found if label in LABELS) != LABELS or found[0] != LABELS[0]:
-        yield f"{name}:2: the header must open with the lines {', '.join(label + ':' for label in LABELS)} in this order"
-        return
-    cited = re.findall(KEY, paragraphs["Source"])
-    if not cited:
-        yield f"{name}:2: the line Source: cites nothing; write a key of {SOURCES}, in brackets"
-    for citation in re.findall(r'\.citation\s*=((?:\s*"[^"]*")+)', text):
-        for key in re.findall(KEY, citation):
-            if key not in cited:
-                yield f"{name}:2: the method cites [{key}], the line Source: does not"
+    """Yields what is wrong with a method's header: a label that is missing or in the wrong place, or a method that cites nothing."""
+    found = [match[1] for line in opening(text) if (match := re.match(r"// ([A-Z][a-z]+): ", line))]
+    known = [label for label in found if label in LABELS]
+    if known != [label for label in LABELS if label in {*known, *REQUIRED}] or found[0] != LABELS[0]:
+        yield (f"{name}:2: the header must open with the lines {', '.join(label + ':' for label in LABELS)} in this order; only "
+               f"{' and '.join(label + ':' for label in LABELS if label not in REQUIRED)} may be missing")
+    if not cited("".join(re.findall(r"\bcitation\s*=[^;}]*", text))):
+        yield f"{name}: `citation` cites nothing; write a key of {SOURCES}, in brackets"
 
 
 def place_finding(root, place):
@@ -200,8 +196,7 @@ def findings(root, listing=None):
     pages = {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8") for path in sorted((root / PROOFS).glob("*.md"))}
     for name, text in texts.items():
         found += [*citation_findings(name, text, keys), *line_findings(name, text), *proof_findings(name, text, pages)]
-    cited_in_proofs = {(name, key) for name, text in pages.items() for key in re.findall(KEY, text)}
-    found += [f"{name}: [{key}] is not listed in {SOURCES}" for name, key in sorted(cited_in_proofs) if key not in keys]
+    found += [f"{name}: [{key}] is not listed in {SOURCES}" for name, text in pages.items() for key in cited(text) if key not in keys]
     named = {page for text in texts.values() for page in PROOF_PAGE.findall(text)}
     found += [f"{name}: no header names this page" for name in pages if name not in named and not name.endswith("/README.md")]
     headers = method_headers(root)
@@ -209,8 +204,7 @@ def findings(root, listing=None):
         found.append("core: no roster includes a method")
     for name in headers:
         found += header_findings(name, texts[name])
-    used = {key for text in texts.values() for _, comment in comments(text) for key in re.findall(KEY, comment)}
-    used |= {key for _, key in cited_in_proofs}
+    used = {key for text in [*texts.values(), *pages.values()] for key in cited(text)}
     found += [f"{SOURCES}: nothing cites [{key}]" for key in keys if key not in used]
     found += table_findings(root, sources)
     if listing is not None:
