@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: Simpson's 3/8 rule S = (b-a)/8 (f_0 + 3 f_1 + 3 f_2 + f_3) on a panel and on its halves, extrapolated:
-//   S_left + S_right + (S_left + S_right - S)/15; a panel is halved until that is proved to be good enough.
-// Source: [Document 000], section 3.1, eq. (13); [Davis and Rabinowitz 1984], Simpson's rules and their errors. The
-//   factor 15: the error falls by 16 when a panel of a smooth integrand is halved.
+//   S_left + S_right + (S_left + S_right - S)/15; a panel is halved until that is proved to be good enough. The factor
+//   15: the error falls by 16 when a panel of a smooth integrand is halved.
 // Cost: per panel bounds from the control vectors, and 7 speeds. Hodographs are halved by de Casteljau's algorithm.
 // Bound: proved. S misses at most F/6480 of the mean of a speed whose fourth derivative is at most F, over a panel of
 //   width 1 ([Davis and Rabinowitz 1984], section 2.2), so the halves F/103680, and what is extrapolated 16/15 F/103680

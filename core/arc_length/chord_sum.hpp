@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: the sum of the chords between N + 1 points at equal steps of t, N doubled until its proved error is small
 //   enough.
-// Source: [Document 000], section 3.1, first formula; the bound is derived here.
 // Cost: N + 1 points, each used again when N is doubled.
 // Bound: proved. Over a step of width w let v be the mean of C' (the chord over w) and D = w/2 max|C''|, so that
 //   |C' - v| <= D. The chord is shorter than the arc by at most the integral of |C' - v|, w D; and by at most

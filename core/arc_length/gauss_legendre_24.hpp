@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Formula: the Gauss-Legendre rule with 24 points on the whole curve.
-// Source: [Davis and Rabinowitz 1984], section 2.7. Libraries for Bezier curves often use this rule.
-// Cost: 24 speeds.
+// Formula: the Gauss-Legendre rule with 24 points on the whole curve, as libraries for Bezier curves often use it.
 // Bound: none, and no estimate, whatever the tolerance; so `converged` is always false.
 // Fails: at and near cusps, without indicating it.
 #pragma once

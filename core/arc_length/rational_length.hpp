@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: a method for polynomial curves that requires no more than their hodograph, with |U| / W^2 of
 //   core/arc_length/rational_hodograph.hpp in its place.
-// Source: that of the method; U and W are derived there.
-// Cost: that of the method for a curve of degree 2n - 1, and for each speed that of W, of degree n.
 // Bound: that of the method, with the constants of docs/proofs/proved_rule.md for the denominator.
 // Fails: where W vanishes the length is infinite; no method converges then. Where W cancels to 2^-38 of its terms no
 //   bound of the roundings is found. Degrees above 512.

@@ -2,10 +2,10 @@
 // Formula: Simpson's 3/8 rule S on a panel and on its halves, as the code of [Document 000] has it: where
 //   |S_left + S_right - S| <= 15 eps it takes S_left + S_right + (S_left + S_right - S)/15, and elsewhere it halves the
 //   panel and eps.
-// Source: [Document 000], section 3.1, the function `adaptive_simpson_3_8`; a baseline for adaptive_simpson38. Two
-//   things differ. eps, which the document leaves to the caller, is the tolerance times the first S. Panels whose sums
-//   agree to 4 u, or which are narrower than 2^-30, are not halved: there the document's recursion need not end.
-// Cost: 12 speeds per panel and its halves, as printed; 3 would do, since 4 of the 7 abscissae are those of the panel.
+// Source: the function `adaptive_simpson_3_8`; a baseline for adaptive_simpson38. Two things differ. eps, which the
+//   document leaves to the caller, is the tolerance times the first S. Panels whose sums agree to 4 u, or which are
+//   narrower than 2^-30, are not halved: there the document's recursion need not end.
+// Cost: as printed; 3 speeds would do, since 4 of the 7 abscissae are those of the panel.
 // Bound: none. The printed test holds the error below eps only where the fourth derivative of f hardly varies over the
 //   panel, so this method states no estimate and `converged` is always false.
 // Fails: the error exceeds the tolerance where the sums of the first panels agree by accident; the finding

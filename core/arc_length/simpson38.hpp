@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Formula: Simpson's 3/8 rule on the whole curve, S = (f(0) + 3 f(1/3) + 3 f(2/3) + f(1)) / 8 with the speed f = |C'|.
-// Source: [Document 000], section 3.1, eq. (13), which is right.
-// Cost: 4 speeds.
 // Bound: none, and no estimate, whatever the tolerance; so `converged` is always false. The error is at most F/6480,
 //   where F bounds the fourth derivative of f ([Davis and Rabinowitz 1984], section 2.2).
 // Fails: wherever the speed is not nearly a cubic. The numbers 0, 2, -1, which turn back at t = 2/5, give 5/2, and

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: the ends, and p(t) by de Casteljau at each t where the derivative changes its sign, found by halving and
 //   bisection. A rational curve: the same with N'W - NW', and N(t) / W(t).
-// Source: [Lane and Riesenfeld 1981].
-// Cost: about 26 n(n-1) d flops an extremum, n(n-1)/2 for each of 52 bisections; of a rational curve four times that.
+// Cost: per extremum, which takes 52 bisections of n(n-1)/2 d flops, and four times that of a rational curve.
 // Bound: none.
 // Fails: the box may be too small by the roundings of t and p(t); an extremum is lost where the roundings of the
 //   derivative hide both changes of its sign; w_i b_i and products of weights may leave the range.

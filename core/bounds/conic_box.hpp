@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Formula: of a conic p = N / W, N'W - NW' has the Bernstein coefficients 2 w_0 w_1 (b_1 - b_0), w_0 w_2 (b_2 - b_0)
 //   and 2 w_1 w_2 (b_2 - b_1) of degree 2: extrema by the quadratic formula, then p(t) for each t in (0, 1).
-// Source: derived here, from the quotient rule ([Piegl and Tiller 1997], eq. (4.8)).
-// Cost: about 40 flops, a square root and two divisions an axis.
+// Source: derived here, from the quotient rule.
+// Cost: a square root and two divisions an axis are among the flops.
 // Bound: none.
 // Fails: the box may be too small by the roundings of t and p(t); the discriminant may cancel, and products of weights
 //   may leave the range.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Formula: low = min b_i, high = max b_i.
-// Source: [Farin 2002], the convex hull property.
 // Cost: 2dn comparisons.
 // Bound: nothing is rounded. A rational curve stays in the hull if its weights have one sign; else the box is infinite.
 // Fails: the box is larger than the curve wherever a control point that is not an end is the lowest or the highest.

@@ -2,7 +2,7 @@
 // Formula: the curve is halved without rounding. A piece whose inner control points are all at or above the lowest
 //   value that is known is dropped; the lowest control point of those that remain, rounded down, is the low side. The
 //   high side is that of -p. It ends where at most one double separates the side from the lowest known value.
-// Source: [Lane and Riesenfeld 1981]; integers without rounding as here are our own.
+// Source: integers without rounding as here are our own.
 // Cost: a halving takes n(n+1)/2 sums of integers that grow by n bits; about 27 halvings of two pieces an extremum.
 // Bound: the side is below every control point of every piece, and so below the curve; a point of the curve lies below
 //   the second next double. So it is the tightest double or the next one. A rational curve: the same with N and W as

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Formula: the box of the control points of the 2^4 pieces that four halvings make.
-// Source: [Lane and Riesenfeld 1981]: the polygon of the pieces converges by a factor of four a halving.
-// Cost: 15 n(n+1) d flops.
+// Formula: the box of the control points of the 2^4 pieces that four halvings make. Their polygon converges by a factor
+//   of four a halving.
 // Bound: none. A midpoint rounds once, unless it underflows.
 // Fails: the box is too large by about a 256th of what the box of the control points is, and may still be too small by
 //   the roundings of midpoints.

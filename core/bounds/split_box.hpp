@@ -2,7 +2,6 @@
 // Formula: the curve is split at the computed parameters of its extrema, one after the other. Pieces whose control
 //   points are outside the range of the known points by more than a bound E of all roundings are halved, up to eight
 //   times; the box of all pieces' control points is widened on each side by E.
-// Source: [Farin 2002], subdivision; the method and its bound are derived here.
 // Cost: that of the parameters, and 3 n(n+1)/2 d flops for each of them and for each halving.
 // Bound: let M be max |b_i|. Exact pieces have their control points' hull around the curve, wherever it is split. A
 //   step s a + t b, s the rounded 1-t, is off by at most 4u max(|a|, |b|) + 2 eta, and what a and b are off grows by at

@@ -10,8 +10,7 @@
 //   N_(i+1), with one argument y, is (y - u_i) / (u_(i+n) - u_i) M. A blossom with one argument x has the Bernstein
 //   coefficients ((c - x) f^k + (x - a) f^(k+1)) / (c - a). The coefficients of M follow from those of N_i and from
 //   those of N_(i+1); set equal, they give the recurrence.
-// Cost: about 11 n^2 + 2d n^2 flops for the control points, of which the first part does not depend on the curve, and
-//   3d n(n+1)/2 + 5 for a point.
+// Cost: for the control points about 11 n^2 + 2d n^2 flops, of which the first part does not depend on the curve.
 // Bound: none. (c - y) is negative: the coefficients are positive, but come as differences of larger numbers, and an
 //   error in one of them goes into all later ones.
 // Fails: where these differences cancel. Clamped and uneven knots of degree 10 or more lose many digits. Differences of

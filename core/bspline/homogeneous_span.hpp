@@ -2,8 +2,6 @@
 // A rational B-spline curve (NURBS) is a polynomial one in homogeneous coordinates: (w_i d_i, w_i), the last one
 // divides the others.
 //
-// Source: [Piegl and Tiller 1997], section 4.2.
-// Cost: the polynomial method's in d + 1 dimensions, d (n+1) products and d divisions for each point.
 // Bound, for weights > 0: docs/proofs/homogeneous.md; of a weight of the Bernstein form that of the polynomial method.
 // Fails: w_i d_i overflows or underflows where d_i would not; with weights of both signs W may cancel.
 #pragma once

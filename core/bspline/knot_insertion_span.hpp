@@ -4,8 +4,7 @@
 //     d_i = ((u_(i+n-r) - c) d_(i-1) + (c - a) d_i) / (u_(i+n-r) - a) for i = n..r+1.
 //   Now d_i is the blossom at n-i times a and i times c: the control points b_i of the span. Points by the triangle
 //   over b_i (`point_of_span`).
-// Source: [Boehm 1980], insertion of a knot; [Ramshaw 1987], control points are values of the blossom.
-// Cost: (3d + 5) n(n-1) flops for the control points, 3d n(n+1)/2 + 5 for a point.
+// Cost: for the control points (3d + 5) n(n-1) flops.
 // Bound: gamma_10(n-1) sum |d_i| c_i of a control point, gamma_(15n-10) p~ of a point. A path to a control point passes
 //   at most n-1 levels for each end, of five roundings, and one to a point n more. All weights are >= 0, since a and c
 //   lie between the two knots of each weight. Underflow as for de_boor, for as many levels.

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Formula: q_j = C(n,j) D^j b_0 with the forward differences D^j b_i = D^(j-1) b_(i+1) - D^(j-1) b_i.
-// Source: [Farin 2002], the monomial form of a Bezier curve.
-// Cost: d n(n+1)/2 + d (n+1) + 3n/2 flops.
 // Bound: one rounding a level, n in all, one product and the roundings of C(n,j). Differences and integer multiples of
 //   subnormals are exact, so nothing underflows.
 // Fails: the power coefficients themselves grow like 3^n, past the range from degree 641 on (77 in float).

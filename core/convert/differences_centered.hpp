@@ -2,9 +2,8 @@
 // Formula: q_j = C(n,j) M^(n-j) D^j b_0 with forward differences D b_i = b_(i+1) - b_i, then midpoints
 //   M b_i = (b_i + b_(i+1)) / 2, the n-j steps of de Casteljau at t = 1/2 on the j-th hodograph. The control points are
 //   converted directly: shifting rounded power coefficients would keep their error.
-// Source: [Farin 2002], derivatives by differences, then de Casteljau's algorithm.
-// Cost: d n(n+1)(2n+7)/6 + d(n+1) + 3n/2 flops: one triangle for each j. One triangle of midpoints and one of
-//   differences on its edge would suffice, but amplify like (1 + 4|t-1/2|)^n.
+// Cost: one triangle for each j. One triangle of midpoints and one of differences on its edge would suffice, but
+//   amplify like (1 + 4|t-1/2|)^n.
 // Bound: gamma_(n+1) times C(n,j) M^(n-j) (1 + E)^j |b_0|, whose sum core/bound/amplification.hpp derives. Each of the
 //   n levels rounds once (halving is exact), then one product and the roundings of C(n,j) follow.
 // Fails: its cost is cubic. The amplification reaches 2^n at both ends.

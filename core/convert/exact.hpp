@@ -4,7 +4,6 @@
 //   To power form in double-double: the same q_j, rounded, and the remainder, rounded.
 //   To power form about t = 1/2: q_j = C(n,j) 2^(j-n) sum_i C(n-j,i) D^j b_i, a dyadic rational.
 //   To Bernstein form: b_i = (1/n!) sum_j C(i,j) j! (n-j)! q_j, a rational with denominator n!.
-// Source: [Farouki 2012], the definition of the Bernstein polynomials; for the inverse [Farouki and Rajan 1987].
 // Cost: n^2/2 operations on big integers, each far dearer than a flop of the other conversions. On integers of O(n)
 //   bits sums make that O(n^3) to power form, products O(n^4) about t = 1/2; n! has O(n log n) bits, so O(n^4 log n) to
 //   Bernstein form.

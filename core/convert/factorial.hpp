@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: q_j = sum_(i<=j) (-1)^(j-i) n!/(i!(n-j)!(j-i)!) b_i; the coefficient is formed first, multiplied by b_i, and
 //   the products are added over i.
-// Source: [Report 001], section 1.1.
-// Cost: 3 (n+1)(n+2)/2 flops for the coefficients, d (n+1)(n+2) more.
 // Bound: the coefficient has 3 roundings (more once factorials are inexact, past n = 22), its product 1, the sum n.
 //   A product may underflow, by eta/2.
 // Fails: factorials overflow past n = 170 (34 in float). The power coefficients themselves grow like 3^n.

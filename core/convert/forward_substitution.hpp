@@ -2,8 +2,6 @@
 // Formula: row i of the lower triangular system sum_(k<=i) M_ik b_k = q_i, M_ik = (-1)^(i-k) n!/(k!(n-i)!(i-k)!),
 //   solved in order: the sum over k < i is formed first, then subtracted from q_i, and the difference divided by the
 //   diagonal.
-// Source: [Report 001], section 1.2; the bound by [Higham 2002], Theorem 8.5.
-// Cost: 3 (n+1)(n+2)/2 flops for the matrix, d (n+1)(n+2) more.
 // Bound: the computed b solves (M + dM) b = q with |dM| <= gamma_(n+5) |M| ([Higham 2002], Theorem 8.5, with the
 //   roundings of M), so |b - true| <= gamma |M^-1||M||b|; the amplification grows like 3^n at t = 1. Doubling the
 //   factor covers higher orders while gamma_(n+5) (5/3)^n <= 1/10; beyond, no bound holds. (Applying M^-1|M| k times

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: b_i = sum_(j<=i) C(i,j)/C(n,j) q_j, the inverse matrix in closed form. All its weights are positive and at
 //   most 1.
-// Source: [Farouki and Rajan 1987]; [Farouki 2012].
-// Cost: (n+1)(n+2)/2 (3 + 2d) flops and one binomial row.
 // Bound: a weight has at most 2 binomials and a quotient rounded, its product 1, the sum n. The weights over row i
 //   times |q_j| sum to p~ of the power form (core/bound/amplification.hpp), so the amplification is at most n + 1. A
 //   product may underflow, by eta/2.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: r_j = q_j / C(n,j); then b_i = sum_j C(i,j) r_j by an additive triangle: level k adds neighbours, n levels.
-// Source: [Farin 2002], monomial form: the inverse of the difference triangle (core/convert/differences.hpp),
-//   D^j b_0 = r_j, undone by D^(j-1) b_(i+1) = D^(j-1) b_i + D^j b_i.
-// Cost: d n(n+1)/2 + d(n+1) + 3n/2 flops.
+// Source: the inverse of the difference triangle (core/convert/differences.hpp), D^j b_0 = r_j, undone by D^(j-1)
+//   b_(i+1) = D^(j-1) b_i + D^j b_i.
 // Bound: one quotient, the roundings of C(n,j), at most n additions, all weights positive. A quotient may underflow, by
 //   eta/2, which b_i repeats up to 2^n times.
 // Fails: past degree 1029 (131 in float), as every method that needs binomials.

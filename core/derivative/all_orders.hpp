@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: the point and all derivatives up to the order, in one call of the method `M`; the last of them is the
 //   result, with its bits and its error. Preparation is part of the call, so only the time differs.
-// Source: that of `M`.
-// Cost: that of `M` for all orders.
 // Bound: that of `M`.
 // Fails: where `M` does.
 #pragma once

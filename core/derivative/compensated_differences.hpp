@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: the differences D^k b_i as pairs high + low; de Casteljau's triangle in two parts on these pairs
 //   (core/evaluate/schemes/compensated_triangle.hpp); C^(k)(t) = (n)_k times their sum, rounded once.
-// Source: [Jiang et al. 2010], the compensated triangle, which they give for points and first derivatives. The
-//   differences as pairs and the bound are derived here.
-// Cost: once 14 d k (2n-k+1)/2, then 18 d (n-k)(n-k+1)/2 + 5d + 6 flops per point, products by fused multiply-add.
+// Cost: once 14 d k (2n-k+1)/2 flops.
 // Bound: u |C^(k)| + 4k u^2 A + (9m(m+3)/2 + 6m + 3) u^2 p~ to first order, m = n-k, and k more roundings of |C^(k)|
 //   where (n)_k is not below 2^53; here |C^(k)| <= p~. A difference of pairs has the exact error of its high parts and
 //   rounds twice, sums of at most 2u and 3u times the magnitudes that it is taken of: 3 u^2 a level, 4 with what is of

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: C^(k)(t) = sum_(j>=k) (j)_k q_j t^(j-k), (j)_k = j (j-1) ... (j-k+1), whose coefficients are kept as pairs
 //   high + low, by Horner's scheme on pairs (core/evaluate/methods/horner_dd.hpp).
-// Source: [Graillat et al. 2009], compensated Horner, on the coefficients of [Higham 2002], section 5.2.
-// Cost: (n-k+1)(k + 2d) once, then 12d (n-k) + d flops per point, products by fused multiply-add.
+// Cost: once (n-k+1)(k + 2d) flops.
 // Bound: u |C^(k)| + gamma_(2m+3)^2 p~, m = n-k, and k more roundings of p~ where (n)_k is not below 2^53; here |C^(k)|
 //   <= p~. Products with (j)_k are exact, the scheme is that of horner_dd. A product may underflow, by eta/2 for a
 //   coefficient and by eta for each of two in a step.

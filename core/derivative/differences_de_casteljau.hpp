@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: the hodograph of order k by differences (hodograph.hpp), evaluated by de Casteljau's algorithm.
-// Source: [Farin 2002], higher order derivatives; [Document 000], section 2.2, with its difference loop corrected: pass
-//   m runs to n - m.
-// Cost: once d k (2n - k + 1)/2 + d (n-k+1) + k, then 3 d (n-k)(n-k+1)/2 + 1 flops per point.
+// Source: the document's difference loop (section 2.2) is corrected: pass m runs to n - m.
+// Cost: once d k (2n - k + 1)/2 + d (n-k+1) + k flops.
 // Bound: gamma_k A + gamma_(k + 3(n-k)) p~, to first order.
 // Fails: where the hodograph does (hodograph.hpp).
 #pragma once

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: the hodograph of order k by differences (hodograph.hpp), evaluated by nested multiplication in Bernstein
 //   form.
-// Source: [Farin 2002], higher order derivatives and nested multiplication.
-// Cost: once d k (2n - k + 1)/2 + 2d (n-k+1) + k, then (n-k)(1 + 3d) + 1 flops per point.
+// Cost: once d k (2n - k + 1)/2 + 2d (n-k+1) + k flops.
 // Bound: gamma_k A + gamma_(k + 3(n-k) + 1) p~, to first order, and n-k more roundings past n-k = 54.
 // Fails: where the hodograph does (hodograph.hpp).
 #pragma once

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: C^(k)(t) = sum_(j>=k) j (j-1) ... (j-k+1) q_j t^(j-k), by Horner's scheme.
-// Source: [Higham 2002], section 5.2, Horner's scheme on derivatives.
-// Cost: (n-k+1)(k + d) once, then 2d (n-k) flops per point.
+// Cost: once (n-k+1)(k + d) flops.
 // Bound: gamma_(k+2(n-k)) p~: each coefficient has k roundings, Horner's scheme 2(n-k). Products may underflow, by
 //   eta/2 each.
 // Fails: like any power form, where its coefficients come from a rounded conversion.

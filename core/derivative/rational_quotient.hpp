@@ -2,10 +2,8 @@
 // Formula: with A = sum w_i b_i B_i and W = sum w_i B_i, C^(k) = (A^(k) - sum_(i=1..k) C(k,i) W^(i) C^(k-i)) / W. The
 //   derivatives of (A, W) are those of a polynomial curve in homogeneous coordinates, by `Method`. If `is_local`, the
 //   control points are taken about the nearer end of the curve, b_0 or b_n, which is added to the point again.
-// Source: [Piegl and Tiller 1997], eq. (4.8); about the nearer end: derived here, from C^(k) being the same for
-//   translated control points.
-// Cost: that of `Method` for all orders up to k in d + 1 dimensions; d (k+1)(2k+1) + d flops more, d (k+1) of them
-//   divisions; if local, d(n+1) subtractions.
+// Source: about the nearer end: derived here, from C^(k) being the same for translated control points.
+// Cost: if local, d(n+1) subtractions more.
 // Bound: (k+1) s / (1 - (k+1) s) S_k, where s and S_k are those of core/bound/derivative_bound.hpp; the proof is in
 //   docs/proofs/rational_derivative.md. None for the local one.
 // Fails: far from the origin, where A^(k) and the sum cancel by the ratio of distance to size; the local one does not.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Formula: the differences of [Document 000] as printed: every one of the k passes runs over i = 0..n-k, where pass m
 //   must run over i = 0..n-m. They are right for k = 0 and 1 only.
-// Source: [Document 000], section 2.2, the function `at`; a baseline for the corrected loop.
-// Cost: d k (n-k+1) once, then 3 d (n-k)(n-k+1)/2 + d + 1 flops per point.
+// Source: the function `at`; a baseline for the corrected loop.
+// Cost: once d k (n-k+1) flops.
 // Bound: none.
 // Fails: from the second derivative on. Points (1,1) (3,1) (4,2) (6,3), t = 1/2: C'' = (6,6), the truth is (0,3). The
 //   factor (n)_k is an int of 32 bits, which 20 19 ... 13 exceeds; it wraps around here, too.

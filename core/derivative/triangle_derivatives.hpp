@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: C^(k)(t) = (n)_k D^k b_0^(n-k): differences of the points b_i^(n-k) of level n - k of de Casteljau's
 //   triangle. One triangle gives the point and all derivatives.
-// Source: [Farin 2002], derivatives and the de Casteljau algorithm.
-// Cost: 3 d (n(n+1) - k(k+1))/2 + d k(k+1)/2 + 2k + 1 flops per point; for all orders up to r, 3 d n(n+1)/2 for the
-//   triangle, d k(k+1)/2 for each k, d(r+1) + 2.
 // Bound: gamma_(3(n-k)+2k) A: the points of level n - k carry gamma_(3(n-k)) sum |b_(i+j)| B_j,n-k(t); k differences
 //   and k roundings of the product with (n)_k follow. A product of the triangle may underflow by eta/2, twice a level;
 //   k differences double that k times, and (n)_k magnifies it.

@@ -3,11 +3,9 @@
 //   point of a curve of degree m, b_j^m = sum_i B_i,m(t) b_(j+i), and all have the same weights in Wozny and Chudy's
 //   geometric algorithm: Q_j <- c_k Q_j + h_k b_(j+k) for k = 1, ..., m. The levels above are those of the triangle,
 //   C^(k)(t) = (n)_k D^k b_0^(n-k). One order by itself is r = k.
-// Source: [Chudy and Wozny 2023] evaluate derivatives by the algorithm of [Wozny and Chudy 2020] in O(rnd); the use of
-//   one set of weights for the points of a level is derived here.
-// Cost: (n-k)(6 + 3d(k+1)) + d k(k+1)/2 + d + 4 flops per point, 2(n-k) + 1 of them divisions; for all orders up to r,
-//   m (6 + 3d(r+1)) + 3d r(r+1)/2 + d r(r+1)(r+2)/6 + d(r+1) + 4, 2m + 1 of them divisions: O(d r n) while r^2 is of
-//   the size of n. Memory O(d r).
+// Source: [Chudy and Wozny 2023] evaluate derivatives in O(rnd); the use of one set of weights for the points of a
+//   level is derived here.
+// Cost: O(d r n) for all orders up to r, while r^2 is of the size of n. Memory O(d r).
 // Bound: gamma_((3m+2)(m+1)+2k) A, m = n-k, where the points of level m have (3m+2)(m+1) roundings
 //   (wozny_chudy_weights.hpp) and the rest is that of triangle_derivatives. In a call for more orders the points come
 //   from a lower level and from three roundings for each level between, which are fewer. A weight may lose

@@ -2,9 +2,7 @@
 // Formula: t^3 + 3 p t^2 + 3 q t + r = 0 with t = w - p becomes w^3 + 3 h w + 2 g = 0, h = q - p^2 and g = p^3 - 3 p q
 //   / 2 + r / 2. For g^2 + h^3 > 0 the root is v - h/v, v = cbrt(-g -+ sqrt(g^2 + h^3)) with the sign that does not
 //   cancel; else there are three, 2 sqrt(-h) cos((phi + 2 pi k) / 3), cos phi = -g / sqrt(-h^3), and the one in [0, 1]
-//   is taken.
-// Source: [Press et al. 2007], section 5.6; the quadratic and the line where the leading coefficient vanishes.
-// Cost: about 40 flops, a cube root, or an arc cosine and three cosines.
+//   is taken. Where the leading coefficient vanishes it is a quadratic or a line.
 // Bound: none. By p and q, errors grow with the inverse of the leading coefficient.
 // Fails: near-quadratic x(t), whose leading coefficient is small, leaves few digits; near double roots half are lost.
 #pragma once

@@ -2,10 +2,10 @@
 // Formula: the number nearest to y, ties to even, for x in [0, 1]. An enclosure of y from a guess of t by
 //   easing_halley: in float first one in double, then one in pairs of doubles; where it leaves several numbers to
 //   choose from, the sign of y minus their middles from exact integers.
-// Source: derived here, with a proof: docs/proofs/easing.md; [de Dinechin et al. 2013] (the test); [Basu et al. 2006],
-//   theorem 2.61 (the sign).
-// Cost: in double about 1100 flops, in float about 350; integers take microseconds, and decide ties and fewer than one
-//   of 10^8 random x, all x below 2^-300 and y1, y2 beyond 2^900.
+// Source: derived here, with a proof: docs/proofs/easing.md; [de Dinechin et al. 2013] (the test); [Basu et al. 2006]
+//   (the sign).
+// Cost: integers take microseconds, and decide ties and fewer than one of 10^8 random x, all x below 2^-300 and y1, y2
+//   beyond 2^900.
 // Bound: it is correctly rounded: u |y|, eta/2 where y is subnormal. So it is monotone wherever the curve is.
 // Fails: x1 or x2 outside [0, 1] are outside its domain, as of every method.
 #pragma once

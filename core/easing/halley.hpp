@@ -3,8 +3,7 @@
 //   1], since x(t) <= 3 t; where the step leaves the bracket or is not a number, its middle, the geometric one while
 //   the ends are far apart. It begins at t = x, and for x below 1/32 where the first of 3 x1 t, 3 x2 t^2 and t^3 is
 //   about x. It ends before a step of at most u t, or where the bracket has no number inside.
-// Source: [Traub 1964], section 5.2, Halley's method; the bracket as in [Press et al. 2007], section 9.4.
-// Cost: 40 flops a step, about 4 steps.
+// Cost: about 4 steps.
 // Bound: none is stated. x(t) has a relative error of a few u, t one of x / (t x'(t)) times that.
 // Fails: where x'(t) vanishes t has a third of the digits; y may go back by a few ulp between neighbouring x.
 #pragma once

@@ -2,8 +2,8 @@
 // Formula: a bracket [a, b] of the root, from [0, 1]. The secant's point is moved towards the middle by k1 (b-a)^2,
 //   then projected into a distance of the middle that leaves bisection's worst case; the sign there gives the next
 //   bracket. It ends when b - a <= 2 e, e = u; t is the middle.
-// Source: [Oliveira and Takahashi 2021], algorithm 1, with k1 = 0.2, k2 = 2 and n0 = 1.
-// Cost: 20 flops a step, at most log2(1/e) + 1 steps.
+// Source: with k1 = 0.2, k2 = 2 and n0 = 1.
+// Cost: at most log2(1/e) + 1 steps.
 // Bound: |t - t*| <= e where x(t) is exact; the error of y is that times |y'(t)|, and rounding.
 // Fails: e is absolute, so that small y have few digits.
 #pragma once

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: at most 8 steps of Newton's method from t = x, until |x(t) - x| < 1e-7; where the slope or the steps do not
 //   suffice, bisection of [0, 1], likewise from t = x.
-// Source: [WebKit 2008], solveCurveX; the tolerance is [Chromium 2014]'s.
-// Cost: about 13 flops per Newton step, 8 per halving.
 // Bound: none is stated. |x(t) - x| < 1e-7 and rounding, and the error of y is that times the slope of the curve.
 // Fails: y may go back between neighbouring x, since their last steps differ. In float the tolerance may be below the
 //   rounding of x(t): then bisection would not end.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: a rational curve is a polynomial one in homogeneous coordinates (w_i b_i, w_i). The polynomial method
 //   evaluates these; the last coordinate divides the others.
-// Source: [Farin 1983].
-// Cost: that of the polynomial method in d + 1 dimensions, and d divisions.
 // Bound: (1 + u)^2 (1 + phi) / (1 - phi) - 1 times p~, for weights >= 0 and 0 <= t <= 1, with phi = factor u of the
 //   polynomial method; the proof, with underflow, is in docs/proofs/homogeneous.md. Where that states no bound, none
 //   follows.

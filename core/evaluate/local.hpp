@@ -2,8 +2,7 @@
 // Formula: p = b + d(tau). For t <= 1/2 the end b is b_0 and tau is t; else b is b_n and tau is 1-t. The evaluator
 //   evaluates d, whose control points are the differences b_i - b, counted from b. By way of power form only the
 //   conversion subtracts: b is the constant coefficient, which the evaluator adds last.
-// Source: derived here. Differences of numbers within a factor of two of each other are exact ([Sterbenz 1974]).
-// Cost: that of the evaluator and d + 1 sums, or 1 by way of power form.
+// Source: differences of numbers within a factor of two of each other are exact ([Sterbenz 1974]).
 // Bound: u |p| + (1 + u) (1 + f + f u) u sum |b_i - b| B_i(t) for 0 <= t <= 1, with f the factor of the evaluator; by
 //   way of power form u |p| + f u sum |b_i - b| C(n,i) tau^i (1 + tau)^(n-i). docs/proofs/local.md has the proofs.
 // Keeps: docs/proofs/local.md.

@@ -6,10 +6,9 @@
 //   a smooth joint are the length of its handle, which must stay positive. Few points leave directions free along which
 //   a sum of squares falls slowly while handles grow without end. So a segment that keeps the promise is given up only
 //   for one that keeps it, too, with half the error: samples of a cubic lead to that cubic, noise ends the search.
-// Source: [Golub and Pereyra 1973], variable projection, with the Jacobian of [Kaufman 1975]; for curves [Borges and
-//   Pastva 2002], section 3; damping by [Marquardt 1963].
-// Cost: O(d^2 m) flops for m points and each of at most 3 times 64 steps. Of more than 513 points a sample of 513 is
-//   fitted first, and all of them from that result where it keeps the tolerance.
+// Source: the Jacobian is that of [Kaufman 1975]; damping by [Marquardt 1963].
+// Cost: at most 3 times 64 steps, for m points. Of more than 513 points a sample of 513 is fitted first, and all of
+//   them from that result where it keeps the tolerance.
 // Bound: none of the fit itself; piecewise.hpp bounds the distance of every data point from the result. Where the data
 //   are samples of a cubic, this cubic is a minimum of 0, to which steps converge quadratically from nearby. The first
 //   start takes parameters by chord length; where that does not keep the tolerance, two more take the square roots of

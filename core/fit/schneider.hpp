@@ -2,13 +2,13 @@
 // Formula: with the directions T_1, T_2 at the ends taken from the data, C(t_i) ~ P_i is linear in the lengths of the
 //   two handles, b_1 = b_0 + alpha_1 T_1 and b_2 = b_3 + alpha_2 T_2. Least squares gives them by a 2x2 system, then
 //   each t_i takes one Newton step towards the foot point of P_i, and both are repeated.
-// Source: [Schneider 1990]: parameters by chord length, the system of its section "Fitting the curve", t_i - f/f' of
+// Source: parameters by chord length, the system of the section "Fitting the curve", t_i - f/f' of
 //   "Reparameterization", centre tangent at a split. As published, steps are only taken where the largest error is
 //   below twice the tolerance (four times for squared errors). Errors are in coordinate units here, so that the scale
 //   of the data does not matter. Alphas that are not above 2^-20 times the length, or above three times it, are
 //   replaced by a third of it; the former, with the chord for the length and 1e-6, is the published heuristic of Wu and
 //   Barsky.
-// Cost: O(m) flops for m points and each of at most 20 steps.
+// Cost: at most 20 steps, for m points.
 // Bound: none of the fit itself; piecewise.hpp bounds the distance of every data point from the result.
 // Fails: T_1 and T_2 are chords of the data. So samples of a cubic do not give it back, however small the tolerance:
 //   the error at the ends is that of the chords. Reparametrisation converges linearly.

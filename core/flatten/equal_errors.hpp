@@ -14,7 +14,7 @@
 //   largest absolute value over t, M(r) for d_1 = 1 and d_2 = r, is a largest absolute value of affine functions of r,
 //   therefore convex, and the chords between its points M(-1) = sqrt(3)/6, M(0) = 4/9, M(1/2) = 1/sqrt(3) and
 //   M(1) = 3/4 are above it. The code takes the largest of these three, rounded up.
-// Cost: about 40 d flops, 2 square roots and a division for each chord and round, mostly 2 rounds.
+// Cost: for each chord and round, mostly 2 rounds; 2 square roots and a division are among the flops.
 // Bound: the tolerance, where it is above 2^-44 of the largest coordinate and 2^-1040. Chords are measured against
 //   E (1 - 2^-20) - 2^-45 max|b|: the power form that is evaluated, and what is made of it, are off by less than
 //   2^-46 max|b|, by fewer than 60 roundings of numbers below 12 max|b|. Reversed curves have the same points: of both

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: with Wang's count m, the differences d_s = D^s p of the points at 0, 1/m, ..., n/m; then d_s += d_(s+1) for
 //   s = 0..n-1 is a step, and d_0 the next point.
-// Source: [Foley et al. 1990], section 11.2.9, forward differences; the count is that of [Sederberg 2012], section
-//   10.6.
-// Cost: dn flops per point, all of them additions.
 // Bound: Wang's, and the roundings of the steps, which grow with m^n: core/grid/forward_differencing.hpp.
 // Fails: as Wang's count; at high degrees and counts the roundings are visible beside the tolerance.
 #pragma once

@@ -2,7 +2,7 @@
 // Formula: from the start of what remains, with s_2 the distance of b_2 from the line through b_0 and b_1, a chord
 //   spans t = 2 sqrt(E / (3 |s_2|)), the length of a parabola. About an inflection at t_i, with s_3 the distance of b_3
 //   from the tangent there after a split, a chord spans t_i +- (1 - t_i) (E / |s_3|)^(1/3).
-// Source: [Hain et al. 2005]; the double root and points without a tangent as in the library lyon.
+// Source: the double root and points without a tangent as in the library lyon.
 // Cost: a split, 6 d n flops, and a square root per chord.
 // Bound: none: the third-order term of a step is neglected.
 // Fails: at wide tolerances, and near inflections that the ranges do not cover; a curve that starts along b_2 - b_0

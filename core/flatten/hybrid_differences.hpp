@@ -4,9 +4,7 @@
 //   with e_2 / 4 in it, e_1 = (e_1 - e_2) / 2. Doubling is its inverse, a step e_0 += e_1, e_1 += e_2, and e_2, e_3 by
 //   linear extrapolation. A step is halved while max(|e_2|, |e_3|) > 6 E on an axis, and doubled, where it starts on
 //   the coarser grid, while max(|e_3|, |2 e_2 - e_3|) <= 6 E / 4.
-// Source: [Goossen and Olynyk 1995], hybrid forward differencing, as in the class CBezierFlattener of WPF; it adapts
-//   [Lien et al. 1987].
-// Cost: 6 d additions per point, halvings and doublings included.
+// Cost: halvings and doublings included.
 // Bound: none for the tolerance: 6 E on each axis is a second derivative of up to 6 sqrt(d) E, and 8 E is the bound.
 //   The error in the plane is at most 6 sqrt(2) / 8 = 1.0607 E.
 // Fails: parts are halves, quarters, ...; roundings add up along the curve. The finest step is 2^-16.

@@ -5,7 +5,6 @@
 //   Where the vertex is between x_0 and x_2, s is limited by E. A cubic is first cut into equal quadratics within E/10,
 //   (|b_3 - 3 b_2 + 3 b_1 - b_0|^2 / (432 (E/10)^2))^(1/6) of them; their chords, within 0.9 E, are counted together
 //   and spread over all of them.
-// Source: [Levien 2019], and `flatten` of the library kurbo for cubics.
 // Cost: a few square roots per chord.
 // Bound: none: f and its inverse are approximations, and the number of chords is that of the limit E -> 0.
 // Fails: a curve that turns back on a line has no parabola: it becomes one chord ([Kurbo 2025]). Points of cubics are

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: with C = V / W, c the middle of the box of the control points, v_i = w_i (b_i - c) and r the largest
 //   |b_i - c|, m = ceil(sqrt(n (n-1) (max |D^2 v| + r max |D^2 w|) / (8 E min |w_i|))) chords between points at k/m.
-// Source: [Zheng and Sederberg 2000]; derived here.
-// Cost: a rational point each.
+// Source: the count is derived here.
 // Bound: let V' and W' be the linear functions that equal V and W at the ends of a piece over [a, a + h]. V'/W' is on
 //   the chord, so |V'/W'| <= r about c, and V/W - V'/W' = (V - V') / W + (V'/W') (W' - W) / W is at most
 //   h^2/8 (max |V''| + r max |W''|) / min |W|. So the tolerance is kept, apart from roundings.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: m = ceil(sqrt(n (n-1) max |b_(i+2) - 2 b_(i+1) + b_i| / (8 E))) chords between the points at k/m.
-// Source: [Wang 1984]; [Filip et al. 1986]; [Sederberg 2012], section 10.6.
-// Cost: de Casteljau's for each point.
+// Source: [Sederberg 2012], section 10.6.
 // Bound: a piece over [a, a + h] departs by at most h^2 max|C''| / 8 from its chord, at equal parameters, and
 //   |C''| <= n (n-1) max|D^2 b|. So the tolerance is kept, apart from the roundings of m and of the points.
 // Fails: the largest second difference decides everywhere, also where the curve is nearly straight.

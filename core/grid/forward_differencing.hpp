@@ -2,8 +2,7 @@
 // Formula: with d_s the differences D^s p over k = 0, 1, ... of p(k/m): d_s = d_s + d_(s+1) for s = 0..n-1 is a step,
 //   and d_0 the point. They begin as d_s = s! c_s, where c_s are the coefficients of p(x/m) in the basis 1, x, x (x-1),
 //   ..., made of the power coefficients q_i / m^i by synthetic division by x, x-1, ..., x-(n-1).
-// Source: [Foley et al. 1990], section 11.2.9, forward differences; the bound is derived here.
-// Cost: dn flops per point, all of them additions; `prepare` takes d n^2.
+// Cost: `prepare` takes d n^2.
 // Bound: gamma_(2n+k) sum |q_j| t_k^j. Every path of a difference d_s(0) to d_0(k) passes one addition a step, so the
 //   computed point is sum C(k,s) d_s(0), each path with its own k roundings. Division, sums and s! give a term of q_i
 //   in d_s at most 2 (i-s) + s + s roundings, and sum_s C(k,s) s! S(i,s) = k^i with S(i,s) >= 0 (Stirling numbers)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: an evaluator at each t_k = k/m by itself: what a method on grids has to be faster than, and is less accurate
 //   than.
-// Source: that of the evaluator.
 // Cost: the evaluator's and one product for t_k.
 // Bound: the evaluator's in [0, 1], at every k the same.
 // Fails: where the evaluator does.

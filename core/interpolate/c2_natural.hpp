@@ -4,8 +4,7 @@
 //   D_(i-1) + 4 D_i + D_(i+1) = K_(i+1) - K_(i-1),  2 D_0 + D_1 = K_1 - K_0,  D_(n-1) + 2 D_n = K_n - K_(n-1).
 //   The residuals of this system are summed with their rounding errors and solved for a correction, which is added to
 //   K_i and D_i before these are rounded to a control point.
-// Source: [de Boor 1978], chapter IV, the system for any parameters; refinement by [Higham 2002], section 12.1.
-// Cost: 90 flops per point and axis; all but 7 of them belong to the refinement.
+// Cost: all but 7 of the 90 flops belong to the refinement.
 // Bound: each control point is the exact one rounded once, up to terms of u^2; |P| <= sqrt(3) max|K|. The residuals
 //   that these roundings leave are at most 2 u max|K| in C1, (P1,i - K_i) - (K_i - P2,i-1); (14 - 4 sqrt(3)) u max|K|
 //   in C2, the second differences of two segments; and 4.24 u max|K| at an end; each plus 3 times the smallest double

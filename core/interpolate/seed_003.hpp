@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Formula: the C2 natural cubic spline by its handles P1,i, with the back-substitution that [Document 003] prints:
 //   P2,i = 2 K_i - P1,i for i = 0 .. n-2, and P2,(n-1) = (K_n + P1,(n-1)) / 2.
-// Source: [Document 003], section 3, as printed; a baseline for c2_natural_handles, whose system it shares. The
-//   document has no equation for a single segment, which is straight here, too.
-// Cost: 9 flops per point and axis.
+// Source: as printed; a baseline for c2_natural_handles, whose system it shares. The document has no equation for a
+//   single segment, which is straight here, too.
 // Bound: none.
 // Fails: wherever there are three points or more. P2,i lies opposite P1,i about the beginning of segment i, where C1
 //   requires that it lies opposite P1,(i+1) about its end. K = 0, 1, 0, 1 gives P2 = -5/9, 10/9, 4/9 with residuals of

@@ -3,9 +3,7 @@
 //   P) and h_j = C(n-1,j) D^(j+1) b_0 (D the forward difference), f_k = sum_(i+j=k) q_i.h_j. For a cubic, with A = b_0
 //   - P, B = D b_0, C = D^2 b_0, D = D^3 b_0:
 //     k0 = A.B, k1 = 2 A.C + 3 B.B, k2 = A.D + 9 B.C, k3 = 4 B.D + 6 C.C, k4 = 5 C.D, k5 = D.D.
-// Source: [Document 002] with its coefficients k2, k3 and k4 corrected; [Edelman and Murakami 1995], roots from
-//   companion eigenvalues.
-// Cost: about 10 (2n-1)^3 flops.
+// Source: the document's k2, k3 and k4 are corrected.
 // Bound: polished_residual_bound of (C - P).C' at t inside (0, 1).
 // Fails: f is rounded in power form, so the error of a k-fold root is (3^n u)^(1/k), 1e-5 where a cusp is the foot
 //   point; where several points are about equally near, the polished one may then be another.

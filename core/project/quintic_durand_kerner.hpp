@@ -2,9 +2,8 @@
 // Formula: all roots x_1 .. x_m of f = (C - P).C' / n in power form at once, each moved by
 //     x_k <- x_k - f(x_k) / (f_m prod_(j != k) (x_k - x_j)),
 //   starting at the powers of 0.4 + 0.9 i, until f(x_k) consists of rounding errors for every k.
-// Source: [Document 002], section 4, which names this solver; [Durand 1960]; [Kerner 1966]. The coefficients are those
-//   of quintic_companion.
-// Cost: 14 m flops per root and step, m = 2n - 1; some ten steps for simple roots, one for each bit of a multiple one.
+// Source: the document names this solver. The coefficients are those of quintic_companion.
+// Cost: some ten steps for simple roots, one for each bit of a multiple one.
 // Bound: polished_residual_bound of (C - P).C' at t inside (0, 1).
 // Fails: as quintic_companion, whose rounded coefficients it shares. Where leading coefficients are small, roots are
 //   large, and beyond n = 9 their powers may overflow.

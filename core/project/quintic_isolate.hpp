@@ -5,10 +5,8 @@
 //   then Newton's method: on the f_k of the piece while the steps are long, on (C - P).C' from the control points for
 //   the last steps, most often one. A root at which f falls is counted only: the distance is largest there. The curve
 //   and its differences are halved, not f: near the point they are small, and so are the rounding errors of f.
-// Source: [Chen et al. 2007], roots of this polynomial, isolated, then Newton's method; [Lane and Riesenfeld 1981],
-//   isolation by halving in Bernstein form; [Farouki and Rajan 1988], products in Bernstein form.
-// Cost: O(n^2) flops per piece, most often 2 to 10 pieces, and O(n^2) per Newton step. Quadratics and cubics run in
-//   code of their own degree, without allocation.
+// Source: products in Bernstein form by [Farouki and Rajan 1988].
+// Cost: most often 2 to 10 pieces. Quadratics and cubics run in code of their own degree, without allocation.
 // Bound: polished_residual_bound of (C - P).C' at t inside (0, 1). A running bound of every rounding error says which
 //   signs of the f_k are certain. A piece is dropped only if no choice of the uncertain signs allows a root. A piece
 //   all of whose signs are uncertain, where the distance is constant up to rounding, gives one candidate, from which

@@ -4,9 +4,9 @@
 //     H <- H(s) f - f(s) H,   s <- s - f(s) h / (f_m H(s)), h the leading coefficient of H:
 //   five steps at s = 0; then steps at one s, as large as the smallest root can be, until the estimates of the root
 //   settle; then s moves with each step until f(s) consists of rounding errors.
-// Source: [Document 002], section 4, which names this solver; [Jenkins and Traub 1970], the three stages for complex
-//   polynomials, with the angles of 49 and 94 degrees for s. The coefficients are those of quintic_companion.
-// Cost: some 16 m flops per step, m <= 2n - 1, and about ten steps for each root.
+// Source: the document names this solver. The angles for s are 49 and 94 degrees. The coefficients are those of
+//   quintic_companion.
+// Cost: about ten steps for each root.
 // Bound: polished_residual_bound of (C - P).C' at t inside (0, 1).
 // Fails: as quintic_companion, whose rounded coefficients it shares. Quotients carry the errors of former roots, which
 //   are those of the least size.

@@ -2,9 +2,8 @@
 // Formula: the quintic of [Document 002] with the coefficients that it prints,
 //     k2 = A.D + 6 B.C + 3 C.C,  k3 = 3 B.D + 6 C.C + 3 C.D,  k4 = 3 C.D + 3 D.D,
 //   where expanding (A + 3B u + 3C u^2 + D u^3).(B + 2C u + D u^2) gives A.D + 9 B.C, 4 B.D + 6 C.C and 5 C.D.
-// Source: [Document 002], section 3, as printed; the solver is that of quintic_companion. Its t is not
-//   polished, which would hide what the printed coefficients are worth.
-// Cost: about 10*5^3 flops.
+// Source: as printed; the solver is that of quintic_companion. Its t is not polished, which would hide what the printed
+//   coefficients are worth.
 // Bound: none.
 // Fails: on most curves, because the coefficients are wrong. (0,0) (0,1) (1,1) (1,0) and P = (1/2, 0) have their foot
 //   point at u = 1/2, where the printed quintic is 5/2. (0,0) (1,0) (2,1) (3,3), whose D is 0, and P = (1,1) have k2 =

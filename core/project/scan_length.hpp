@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Formula: the nearest of 33 points at equal steps of the arc length, then steps to the left or right that bring it
 //   nearer, halved where neither does, until a step is below 2^-26 of the length.
-// Source: [Document 004], last answer, which names this search on the paths of SVG; [Bostock 2013], whose steps are 8
-//   pixels, then down to half of one. Two things differ: steps are parts of the length, and t is polished. Lengths are
-//   those of 256 chords at equal steps of t, and linear between these, as browsers approximate them.
-// Cost: 257 points for the table of lengths, 33 samples and some 60 steps.
+// Source: the answer names this search on the paths of SVG; the steps of [Bostock 2013] are 8 pixels, then down to half
+//   of one. Two things differ: steps are parts of the length, and t is polished. Lengths are those of 256 chords at
+//   equal steps of t, and linear between these, as browsers approximate them.
 // Bound: polished_residual_bound of (C - P).C' at t inside (0, 1).
 // Fails: it finds one local minimum, as scan_bisect, though its samples do not crowd where the curve is slow.
 #pragma once

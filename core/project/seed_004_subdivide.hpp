@@ -2,9 +2,8 @@
 // Formula: halves the curve and drops pieces as [Document 004] says: a piece whose nearest vertex, control point or
 //   end, is farther from P than the farthest vertex of another piece. After 16 rounds the nearest end of a piece is
 //   taken, and polished, so that what is missed is the fault of the pruning alone.
-// Source: [Document 004], third answer; a baseline for subdivide_hull. The document halves until the error is
-//   negligible.
-// Cost: two triangles per piece; some 100 pieces, and more where many points are about equally near.
+// Source: a baseline for subdivide_hull. The document halves until the error is negligible.
+// Cost: some 100 pieces, and more where many points are about equally near.
 // Bound: polished_residual_bound of (C - P).C' at t inside (0, 1).
 // Fails: the distance of the vertices is not a lower bound of that of the curve, which passes between them. (6,3) (5,6)
 //   (-7,-2) (7,4) and P = (5,3) have the nearest point at t = 0.945677, distance 0.15324. It is dropped after four

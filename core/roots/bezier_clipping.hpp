@@ -2,7 +2,6 @@
 // Formula: the control points (i/n, b_i) have the graph in their convex hull, which meets the axis in [t_0, t_1]: the
 //   roots are there, and the rest is clipped, by de Casteljau. Where less than 20 % is clipped, the piece is halved. A
 //   piece of width 2^-45 is a root; roots closer than that are one.
-// Source: [Sederberg and Nishita 1990], section 2, for the explicit curve (t, p(t)).
 // Cost: a clip takes two triangles and n(n+1)/2 quotients; clips converge quadratically at a simple root.
 // Bound: none.
 // Fails: near a multiple root it only halves, and finds it some times or not at all, as the roundings decide; the

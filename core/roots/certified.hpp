@@ -5,8 +5,7 @@
 //   between two t at which the sign of the polynomial is certain. A piece of which no sign is certain, or of width
 //   2^-52, is a cluster: it may have any number of roots, unless a wider piece around it turns out to have exactly
 //   one. A coefficient 0 at an end is a root there, and is divided out.
-// Source: [Lane and Riesenfeld 1981], subdivision and sign changes; [Higham 2002], section 3.3, running error bounds;
-//   the enclosures are derived here.
+// Source: the enclosures are derived here.
 // Cost: 52 triangles a root for the bisection, some 10 for the signs, and 10 flops more in each step of a triangle.
 // Bound: a step (1-t) a + t b of numbers off by e_a and e_b has the result c off by (1-t) e_a + t e_b + u (|c| + 2
 //   |(1-t) a| + |t b|), the last two of them only where t is not 1/2, and 2^-1072 covers underflow. Each sum is

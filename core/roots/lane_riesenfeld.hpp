@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: coefficients without a change of sign have no root; those with more than one are halved, by de Casteljau;
 //   one change is one root, which is bisected. A coefficient 0 at an end is a root there.
-// Source: [Lane and Riesenfeld 1981], variation diminishing: the number of roots is at most that of the changes.
-// Cost: a halving takes n(n+1)/2 midpoints, and the bisection of a root 52 triangles of de Casteljau.
+// Cost: a halving takes n(n+1)/2 midpoints.
 // Bound: none.
 // Fails: a root of even multiplicity is found twice, once or not at all, as the roundings of the halves decide; so are
 //   two roots whose distance is about sqrt(u).

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: p(k/32), k = 0..32, by de Casteljau; where it changes its sign, Newton's method with p and p' from one
 //   triangle, and the middle of the bracket where a step leaves it.
-// Source: [Press et al. 2007], sections 9.1 (zbrak) and 9.4 (rtsafe).
-// Cost: 33 triangles, and about 6 a root.
 // Bound: none.
 // Fails: two roots between neighbouring samples are lost, and so is every root of even multiplicity that is not a
 //   sample.

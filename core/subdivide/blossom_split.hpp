@@ -3,8 +3,6 @@
 //   control point from a triangle of its own, whose level m combines neighbours a, b to (1-u_m) a + u_m b. An
 //   argument 0 keeps the first of two neighbours and an argument 1 the second, so what has to be computed is the
 //   triangle at t over b_0..b_i, or over b_i..b_n.
-// Source: [Ramshaw 1987], the control points of a part are values of the blossom.
-// Cost: d n(n+1)(n+2) + 1 flops.
 // Bound: as for de_casteljau_split, whose operations are done again for each point: gamma_3k sum |b_j| B_j,k(t) on
 //   [0,1] and 2k eta.
 // Fails: its cost is cubic, although its bits are those of de_casteljau_split.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: b_i^k = (1-t) b_i^(k-1) + t b_(i+1)^(k-1); left_k = b_0^k, right_(n-k) = b_(n-k)^k: both halves from one
 //   triangle.
-// Source: [Farin 2002], the de Casteljau algorithm, subdivision.
-// Cost: 3 d n(n+1)/2 + 1 flops.
 // Bound: a level costs at most three roundings (1-t, product, sum) and its weights are positive, so by induction a
 //   point of k levels is off by at most gamma_3k sum |b_j| B_j,k(t) on [0,1]. Two products a level may underflow, by
 //   eta/2 each, and what follows magnifies that by less than 2: 2k eta.

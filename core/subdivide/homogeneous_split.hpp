@@ -2,8 +2,6 @@
 // A rational curve is a polynomial one in homogeneous coordinates: split (w_i b_i, w_i), divide by the last one. The
 // ends b_0 and b_n are copied, since (w b) / w may be a rounding away from b.
 //
-// Source: [Farin 1983].
-// Cost: the polynomial method's in d + 1 dimensions, d (n+1) products and 2 d (n+1) divisions.
 // Bound, for weights >= 0 and 0 <= t <= 1: of a weight that of the polynomial method; of a point as derived at
 //   split_quotient_bound (core/subdivide/subdivision.hpp), to first order twice the polynomial method's factor and 2.
 // Fails: w_i b_i overflows or underflows where b_i would not; a point whose weight is 0 is not finite; outside [0,1] or

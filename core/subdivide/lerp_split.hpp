@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Formula: b_i^k = a + t (b - a) with a = b_i^(k-1), b = b_(i+1)^(k-1); left_k = b_0^k, right_(n-k) = b_(n-k)^k.
-// Source: [Document 004], third answer: the pyramid of points whose two sides are the halves.
-// Cost: 3 d n(n+1)/2 flops.
 // Bound: none against p~: where |a| is far larger than the result, the rounding of b - a is not covered by it. With M
 //   = max |b_j|, on [0,1]: difference and product are off by 2 M gamma_2, the sum rounds once, so a level adds at
 //   most gamma_5 M to values of at most M (1 + gamma_5)^(level - 1), and k levels gamma_5k M. One product a level may

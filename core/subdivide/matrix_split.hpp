@@ -3,8 +3,7 @@
 //   (1-t)^(k-j) from tables of powers: the matrix M^-1 diag(1, t, .., t^n) M, M from Bernstein to power form,
 //   multiplied out, so that all its entries are Bernstein values and positive on [0,1]. Applied factor by factor it
 //   would amplify errors like 3^n.
-// Source: [Pomax 2011], splitting curves using matrices; [Joy 2000], the matrix of t = 1/2.
-// Cost: 2 d (n+1)^2 + (n+1)(n+2) + 2n flops, and about 3 n(n+1)/4 for the binomials.
+// Cost: about 3 n(n+1)/4 flops more for the binomials.
 // Bound: the term of b_j has j-1 roundings in t^j, 2(k-j)-1 in (1-t)^(k-j) through 1-t, two in the products for m_kj
 //   (none for j = 0 and j = k), one in the product with b_j, and k-j+1 additions (k for j = 0); the largest are j = 0
 //   and j = 1 with 3k: gamma_3k sum |b_j| B_j,k(t), and the roundings of C(k,j). Underflow in powers, C(k,j) and

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: b_i^k = a + t (b - a) for t <= 1/2, b + (1-t) (a - b) else: anchored at the nearer end; left_k = b_0^k,
 //   right_(n-k) = b_(n-k)^k.
-// Source: [Farin 2002], the de Casteljau algorithm, with linear interpolation in its two-sided form; the bound is
-//   derived here.
-// Cost: 3 d n(n+1)/2 + 1 flops.
 // Bound: take t <= 1/2, so t <= 1-t. With d the rounding of the sum, the result is a (1 + d) + t (b - a) (1 +
 //   theta_3) and off by at most |a| ((1-t) u + t gamma_2 (1 + u)) + t |b| gamma_3 <= gamma_3 ((1-t) |a| + t |b|): a
 //   point of k levels by gamma_3k sum |b_j| B_j,k(t). For 1/2 < t <= 1 the same holds with the ends exchanged, for

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Formula: t <- t - (s(t) - S) / |C'(t)| inside an interval that holds the root, bisected where a step fails.
-// Source: [Press et al. 2007], section 9.4: Newton's method for s(t) = S, from t = S / s(1), safeguarded.
-// Cost: per iteration a length of a part (inverse/bracket.hpp) and one speed.
+// Formula: t <- t - (s(t) - S) / |C'(t)| from t = S / s(1), inside an interval that holds the root, bisected where a
+//   step fails.
 // Bound: |s(t) - S|, with the errors of the quadratures and the roundings added.
 // Converges: quadratically where |C'| > 0. At a cusp, where s(t) - S is like (t - c)|t - c|, the distance falls by 4 in
 //   each step.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Formula: parameters t_0 = 0 < ... < t_N = 1 with chords |C(t_k) - C(t_(k-1))| of one length. The target, as a share
 //   of the chords' sum, is then a point of one of them. N is doubled until a proved error is small enough.
-// Source: [Document 000], section 3.3, the loop for several points, which equalises chords, not arcs. It moves each t_k
-//   by a Newton step for the sum of the chords before it, and nothing keeps the t_k in order. Here the new t_k are read
-//   off that sum, as a piecewise linear function of t ([de Boor 1974]): in order on every curve, cusps included. Within
-//   its chord the target's t is where the distance from the chord's beginning is the share that is left.
+// Source: the document's loop for several points equalises chords, not arcs. It moves each t_k by a Newton step for the
+//   sum of the chords before it, and nothing keeps the t_k in order. Here the new t_k are read off that sum, as a
+//   piecewise linear function of t ([de Boor 1974]): in order on every curve, cusps included. Within its chord the
+//   target's t is where the distance from the chord's beginning is the share that is left.
 // Cost: N + 1 points for each round, at most 12 rounds for each N, N = 8 to 1024; the length of the curve by adaptive
 //   Gauss-Legendre rules.
 // Bias: an arc of length h and curvature k is longer than its chord by about k^2 h^3 / 24, so equal chords are not

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: t <- t - 2 d s' / (2 s'^2 - d s''), d = s(t) - S, s' = |C'|, s'' = C'.C'' / |C'|, in the bracket of
-//   bracketed_newton.
-// Source: [Traub 1964], section 5.2, Halley's method. Safeguarded: a step out of the interval, or one after which the
-//   distance was not halved, is a bisection.
-// Cost: per iteration a length of a part, one speed and one second derivative.
+//   bracketed_newton. A step out of the interval, or one after which the distance was not halved, is a bisection.
 // Bound: as bracketed_newton.
 // Converges: cubically where |C'| > 0. As each length costs far more than a derivative, an iteration saved pays.
 // Fails: as bracketed_newton.

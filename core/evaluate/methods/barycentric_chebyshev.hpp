@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: the second barycentric form (barycentric.hpp) with Chebyshev nodes of the second kind,
 //   x_j = (1 - cos(j pi/n)) / 2, j = 0..n.
-// Source: [Berrut and Trefethen 2004], section 5; method CHE of [Fuda et al. 2024].
-// Cost: (n+1)(3+2d) + d flops per point; barycentric.hpp states the cost of `prepare`.
+// Source: [Berrut and Trefethen 2004], section 5, has the nodes.
 // Nodes: an alternating series in + - * / computes them, so that no libm decides a bit: (1 - cos y)/2 = y^2/4 r_1,
 //   r_k = 1 - y^2/((2k+1)(2k+2)) r_(k+1), y = j pi/n <= pi/2, whose first dropped term is below 2^-63. The error of y
 //   is at most 2.4 u and moves x by 1/2 y sin(y) <= pi/4 times that, 1.9 u; the roundings of the series add 2.2 u, the

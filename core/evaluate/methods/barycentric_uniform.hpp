@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Formula: the second barycentric form (barycentric.hpp) with uniform nodes, x_j = j/n, j = 0..n.
-// Source: [Berrut and Trefethen 2004], eq. (4.2); method UNI of [Fuda et al. 2024].
-// Cost: (n+1)(3+2d) + d flops per point; barycentric.hpp states the cost of `prepare`.
 // Weights: (-1)^j C(n,j) over the largest of them ([Berrut and Trefethen 2004], eq. (5.1)), up to the rounding of the
 //   nodes.
 // Bound: (4n+7) u L max|b| on [0,1], to first order and while (2n+2) u L < 1 (barycentric.hpp). The Lebesgue constant L

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: p = v_0 + ... + v_(K-1), where v_0 is de Casteljau's rounded triangle and each further one the triangle of
 //   the errors of the one before: of 1-t, of the products and of the sums (compensated_triangle.hpp); K = 2, 3 and 4.
-// Source: [Jiang et al. 2010] for K = 2; [Hermes 2019], Algorithm 4.2.
-// Cost: 18, 59 and 130 d n(n+1)/2 flops per point and less than 64 d more, products by fused multiply-add.
 // Bound: u |p| + c_2 u^2 p~ for K = 2, else (u + 3 gamma_(K-1)^2) |p| + (c_K + a_K) u^K p~ with a_3 = 64, a_4 = 1296,
 //   to first order, for any t; compensated_triangle.hpp derives it. K = 2 implies u |p| + 2 gamma_3n^2 p~
 //   ([Jiang et al. 2010], Theorem 5, for n >= 2 in [0,1]). (3K - 1) n products may underflow, by eta each.

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Formula: p = q_n, e = 0; p = p t + q_j and e = e t + (errors of this product and this sum) for j = n-1..0; p + e.
-// Source: [Graillat et al. 2009].
-// Cost: 11dn + d flops per point, products by fused multiply-add.
 // Bound: u |p| + gamma_2n^2 sum |q_j| |t|^j, the theorem of [Graillat et al. 2009], which excludes underflow. Two
 //   products a step may underflow, by eta/2 each; this is doubled to cover second-order losses.
 // Fails: coefficients that a rounded conversion made keep their error; horner_dd takes coefficients without it.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: p = v_0 + ... + v_(K-1), where v_0 is Horner's rounded scheme and each further one a scheme of the errors of
 //   the one before (compensated_horner_parts.hpp); K = 3 and 4.
-// Source: [Hermes 2019], Algorithm 4.2, for Horner's scheme; the accuracy is that of [Cameron and Graillat 2024].
-// Cost: 26 and 47 dn flops per point and less than 58 d more, products by fused multiply-add.
 // Bound: (u + 3 gamma_(K-1)^2) |p| + (c_K + a_K) u^K p~ to first order, with a_3 = 64 and a_4 = 1296;
 //   compensated_horner_parts.hpp derives it. K n products may underflow, by eta each.
 // Fails: past a condition number of 1/u^(K-1) it loses digits again. Where u^K p~ < eta the bound is void, because the

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: p = (1-t)^n sum c_i r^i with c_i = C(n,i) b_i and r = t/(1-t) for t <= 1/2, else mirrored. Each of c_i, 1-t,
 //   r, the power, Horner's sum and their product is a pair value + error, to first order.
-// Source: [Delgado and Pena 2016] (a compensated Volk-Schumaker algorithm); [Schumaker and Volk 1986] (the ratio form,
-//   which is compensated here).
-// Cost: at most 14dn + 7d + 12 log2 n + 19 flops per point, two of them divisions; products by fused multiply-add.
+// Cost: two of the flops are divisions.
 // Bound: u |p| + 2 gamma_(3n+9)^2 p~, and 4n u^2 p~ more past n = 54; about 18 n^2 u^2 p~ in all. `CorrectedPair`
 //   bounds a pair's error part by k u and what the pair misses by q u^2, relative to its magnitude. A product has
 //   k = k_a + k_b + 1. It misses the product of the two errors, k_a k_b, and rounds its correction: three times each k

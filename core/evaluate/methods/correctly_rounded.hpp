@@ -3,10 +3,8 @@
 //   or mirrored where L^n is out of range, each of c_i, L, r, the power and the sum a pair value + error. Where the
 //   bound of the pair leaves two numbers to choose from: the same with the bound in terms of p~; then exact integers
 //   (correctly_rounded_integers.hpp).
-// Source: [Schumaker and Volk 1986] (the ratio form); [Graillat et al. 2009] (compensation, here with a fused step);
-//   [de Dinechin et al. 2013] (the test).
-// Cost: at most 10dn + 8d + 8 log2 n + 16 flops per point, two of them divisions, where the pair decides: all but about
-//   2^-38 max|b| / |p| of random points at n = 20. The integers take microseconds there.
+// Cost: the flops are those where the pair decides, two of them divisions: at all but about 2^-38 max|b| / |p| of
+//   random points at n = 20. The integers take microseconds there.
 // Bound: u |p|, and eta/2 where the result is subnormal: it is correctly rounded. That of the pair is
 //   e = 2 (q + k) u^2 max|b|, derived in docs/proofs/correctly_rounded.md.
 // Keeps: all properties that the exact p has and monotone rounding does not lose; proved there, too.

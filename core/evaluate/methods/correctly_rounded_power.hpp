@@ -2,8 +2,7 @@
 // Formula: the double nearest to p, ties to even, infinite where p is too large. First compensated Horner, a pair
 //   value + error; where its bound leaves two numbers to choose from, the same with the bound in terms of p~; then
 //   exact integers (correctly_rounded_integers.hpp).
-// Source: [Graillat et al. 2009] (compensation, with a fused step); [de Dinechin et al. 2013] (the test).
-// Cost: 9dn + 5d flops per point where the pair decides. The integers take microseconds at n = 20.
+// Cost: the flops are those where the pair decides. The integers take microseconds at n = 20.
 // Bound: u |p|, and eta/2 where the result is subnormal: it is correctly rounded. The bound of the pair, e = 2 (q + k)
 //   u^2 sum |q_j|, follows as in correctly_rounded.hpp, without errors of ratio and coefficients: a step adds 2 u A to
 //   the error part, which is at most k u A with k = 2j after j of n + 1 steps, and misses (3 + 2 + k) u^2 A, for the

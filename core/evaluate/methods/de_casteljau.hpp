@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: b_i^k = (1-t) b_i^(k-1) + t b_(i+1)^(k-1), p(t) = b_0^n.
-// Source: [de Casteljau 1959]; [Farin 2002], the de Casteljau algorithm; [Report 001], section 1.5.
-// Cost: 3 d n(n+1)/2 + 1 flops per point.
+// Source: [de Casteljau 1959].
 // Bound: gamma_3n p~: a level costs at most three roundings (1-t, product, sum); gamma_2n p~ where 1-t is exact. Two
 //   products a level may underflow, by eta/2 each.
 // Keeps: ends_exact, reversal, finite, and what all variants keep: docs/proofs/de_casteljau.md.

@@ -2,8 +2,6 @@
 // Formula: w_i^k = (1-t) w_i^(k-1) + t w_(i+1)^(k-1); p(t) = b_0^n with
 //   b_i^k = ((1-t) w_i^(k-1) / w_i^k) b_i^(k-1) + (t w_(i+1)^(k-1) / w_i^k) b_(i+1)^(k-1).
 //   Every intermediate point is a convex combination of control points.
-// Source: [Farin 1983].
-// Cost: (5 + 3d) n(n+1)/2 + 1 flops per point, n(n+1) of them divisions.
 // Bound: gamma_8n p~ for weights > 0 and 0 <= t <= 1. Along a path through the triangle each computed w_i^k divides at
 //   one level and multiplies at the next, so that their errors cancel except those of the last weight, 3n. The other
 //   roundings of a level are 1-t, its product with a weight, the quotient, the product with a point and the sum: 5n.

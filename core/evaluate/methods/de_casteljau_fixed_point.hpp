@@ -3,8 +3,7 @@
 //   p(t) = fma(1/s, x_0^n - C, l) inside (0,1), else b_0 or b_n. For each axis l and h are the least and the largest
 //   b_i, s = 1, or 1/8 where some b_i is next to overflow, C is the least normal power of two that is not below
 //   fl(s h - s l), and X is fl(C + fl(s h - s l)), or the number below it where else p would exceed h.
-// Source: derived here. Adding a power of two leaves multiples of its last place: [Rump et al. 2008], section 3.
-// Cost: 1 subtraction and 1 fused multiply-add, d (n(n+1)/2 + 1) times per point, and two comparisons of t.
+// Source: adding a power of two leaves multiples of its last place.
 // Bound: none relative to p~, but u |p| + (2n+4) u (1 + 4u) (h - l), and n eta/2 where h - l is subnormal.
 //   docs/proofs/de_casteljau_fixed_point.md has the proof.
 // Keeps: ends_exact, constant_reproduced, in_hull, monotone, reversal, scaling_by_two, axes_independent, finite, total,

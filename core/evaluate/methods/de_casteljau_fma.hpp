@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Formula: b_i^k = fma(t, b, fma(-t, a, a)) with a = b_i^(k-1), b = b_(i+1)^(k-1); p(t) = b_0^n.
-// Source: [Farin 2002], the de Casteljau algorithm, with the usual fused form of linear interpolation; the bound is
-//   derived here.
-// Cost: 2 fused multiply-adds, d n(n+1)/2 times.
 // Bound: gamma_2n p~: a - t a is (1-t) a rounded once, with 1-t never formed, and the outer operation rounds once more.
 //   Each of the two may underflow, by eta/2.
 // Keeps: ends_exact: at t = 0 a step is 0 b + (a - 0 a) = a, at t = 1 it is 1 b + (a - a) = b. finite: let W be the

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: b_i^k = a + t (b - a) with a = b_i^(k-1), b = b_(i+1)^(k-1); p(t) = b_0^n.
-// Source: [Document 004], whose snippets interpolate linearly in this way, as the `lerp` of graphics libraries does.
-// Cost: 3 d n(n+1)/2 flops per point.
+// Source: the `lerp` of graphics libraries interpolates in this way, too.
 // Bound: none relative to p~: where |a| is far larger than the result, p~ does not cover the rounding of b - a.
 // Keeps: constant_reproduced: b - a is 0. monotone for n = 1: b_0 + t (b_1 - b_0) rounds three times, each time a
 //   monotone function of t. The rest: docs/proofs/de_casteljau.md.

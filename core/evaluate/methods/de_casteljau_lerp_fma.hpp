@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Formula: b_i^k = fma(t, b - a, a) with a = b_i^(k-1), b = b_(i+1)^(k-1); p(t) = b_0^n.
-// Source: [Document 004], the linear interpolation of de_casteljau_lerp, fused.
-// Cost: 1 subtraction and 1 fused multiply-add, d n(n+1)/2 times.
 // Bound: none relative to p~: where |a| is far larger than the result, p~ does not cover the rounding of b - a.
 // Keeps: constant_reproduced: b - a is 0. monotone for n = 1: b_0 + t d is rounded once, and rounding is monotone. The
 //   rest: docs/proofs/de_casteljau.md.

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: b_i^k = a + t (b - a) for t <= 1/2, b + (1-t) (a - b) else, with a = b_i^(k-1), b = b_(i+1)^(k-1);
 //   p(t) = b_0^n. The interpolation starts from the end that t is nearer to.
-// Source: [Farin 2002], the de Casteljau algorithm, with linear interpolation in its two-sided form; the bound is
-//   derived here.
-// Cost: 3 d n(n+1)/2 + 2 flops per point.
 // Bound: gamma_3n p~ for t <= 2, else gamma_4n p~: three roundings a level; for t > 2, 1-t is rounded as well.
 // Keeps: ends_exact, constant_reproduced, in_hull, monotone for n = 1, and what all variants keep:
 //   docs/proofs/de_casteljau.md.

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Formula: p(t) = sum n!/(i!(n-i)!) t^i (1-t)^(n-i) b_i, terms formed and added in ascending order.
-// Source: [Report 001], section 1.4: tables of 0!..n!, t^0..t^n and (1-t)^0..(1-t)^n, then one sum.
-// Cost: 4n + 2d(n+1) + 2 flops per point.
 // Bound: gamma_(3n+2) p~. Term i has i-1 and n-i-1 roundings in its powers, n-i in (1-t)^(n-i) through 1-t, 3 products
 //   and n additions; the most are 3n + 2, for i = 0. Factorials add 2 f(n) + 2 once they are no longer exact. Powers of
 //   t that underflow lose up to C(n,i) max|b| eta. C(n,i) |t|^i is at most (1 + |t|)^n, which stays in range up to

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Formula: p(t) = sum C(n,i) pow(t, i) pow(1-t, n-i) b_i: the definition, with the library's pow for every power.
-// Source: [Document 000], section 1.
-// Cost: 2(n+1) calls of pow and 2(n+1) + 2d(n+1) flops per point.
 // Bound: none. libm decides the last bits of pow, so the rows of this method are kept out of the digested files.
 // Fails: it is slow, and not reproducible across C libraries.
 #pragma once

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: q_2k + q_(2k+1) t at every level: neighbours are joined with t, pairs with t^2, fours with t^4, and so on.
-// Source: [Estrin 1960]; [Muller 2016], section 4.3.2.
-// Cost: at most 2dn + log2 n flops per point, in a chain of log2 n steps instead of n.
+// Source: [Muller 2016], section 4.3.2.
+// Cost: a chain of log2 n steps instead of n.
 // Bound: gamma_(n+2L) sum |q_j| |t|^j with L = ceil(log2(n+1)) levels: a coefficient meets at most L products and L
 //   sums, and its power of t, formed by squaring, has at most n roundings. A power that underflows loses up to |q_j|
 //   eta.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: p = q_n; p = p t + q_j for j = n-1..0.
-// Source: [Horner 1819]; [Higham 2002], section 5.1.
-// Cost: 2dn flops per point.
+// Source: [Horner 1819].
 // Bound: gamma_2n sum |q_j| |t|^j ([Higham 2002], eq. 5.3); n products may underflow, by eta/2 each.
 // Fails: as any power form, when its coefficients came out of a rounded conversion.
 #pragma once

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: p = c_0; p = p (1-t) + c_i t^i for i = 1..n, with c_i = C(n,i) b_i from `prepare` and t^i as a running
 //   product.
-// Source: [Farin 2002], nested multiplication in Bernstein form.
-// Cost: n (1 + 3d) + 1 flops per point.
 // Bound: gamma_(3n+1) p~, and n more roundings past n = 54. Term i has 1 + binomial roundings in c_i, i-1 in t^i, 1
 //   product, 1 addition and 3 per later step (1-t, product, sum). The most are 3n + binomial roundings for i = 1; for i
 //   = 0 there are 3n. A t^i that underflows loses up to C(n,i) max|b| eta. After step i, p is at most

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: p = c_0; p = fma(p, 1-t, c_i t^i) for i = 1..n, with c_i = C(n,i) b_i from `prepare` and t^i as a running
 //   product.
-// Source: [Farin 2002], nested multiplication in Bernstein form, with fused steps.
-// Cost: n (1 + 2d) + 1 flops per point, dn of them fused.
 // Bound: gamma_(2n+2) p~, and n more roundings past n = 54. Term i has 1 + binomial roundings in c_i, i-1 in t^i, 1
 //   product, 1 fused step and 2 per later step (1-t and the step). The most are 2n + 1 + binomial roundings, for i = 1.
 //   Underflow as for horner_bernstein.

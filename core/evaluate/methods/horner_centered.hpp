@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Formula: p = q_n; p = p s + q_j for j = n-1..0, with s = t - 1/2 and q_j the coefficients about t = 1/2.
-// Source: [Higham 2002], section 5.1, Horner's scheme, shifted here; the bound is derived here.
-// Cost: 2dn + 1 flops per point.
 // Bound: gamma_3n sum |q_j| |s|^j: two roundings a step by Horner's scheme, and that of s, which is exact for t in
 //   [1/4, 1] (Sterbenz). n products may underflow, by eta/2 each.
 // Fails: towards both ends, where a conversion amplifies by 2^n (3^n about t = 0).

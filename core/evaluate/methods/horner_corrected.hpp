@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: as horner_fma, with the roundings of the last two steps put right: r = fma(r_2, t, q_1), e = fma(r_2, t,
 //   q_1 - r); s = fma(r, t, q_0), p = s + fma(e, t, fma(r, t, q_0 - s)).
-// Source: [Horner 1819]; [Boldo and Muller 2011] (the error of a fused multiply-add). The correction is derived here.
-// Cost: d (n + 3) fused multiply-adds and 3d sums per point.
+// Source: the correction is derived here.
 // Bound: (1 + 3u) u |p| + gamma_(n+1) sum_(j>0) |q_j t^j|; docs/proofs/local.md has the proof.
 // Fails: as any power form, when its coefficients came out of a rounded conversion. Where a term t r is larger than the
 //   coefficient that is added to it, q - r rounds and the correction is only partial.

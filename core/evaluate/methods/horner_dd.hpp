@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Formula: compensated Horner on coefficients high q_j + low q_j: p = p t + high q_j error-free,
 //   e = e t + (errors + low q_j); p + e.
-// Source: [Graillat et al. 2009], compensated Horner, to whose correction the low parts are added here.
-// Cost: 12dn + d flops per point, products by fused multiply-add.
 // Bound: u |p| + gamma_(2n+3)^2 sum |q_j| |t|^j. Let k u and q u^2 bound, relative to this sum, the correction e and
 //   the part that p + e misses. A step adds the two errors of its operations, so k grows by 2, and rounds e t twice,
 //   each new error three times: q grows by 2k + 6. From k = 1 (the low part) n steps give 2n^2 + 6n, half of (2n+3)^2;

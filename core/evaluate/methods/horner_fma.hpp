@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Formula: p = q_n; p = fma(p, t, q_j) for j = n-1..0.
-// Source: [Horner 1819]; [Higham 2002], section 5.1, with fused steps.
-// Cost: n d fused multiply-adds per point.
 // Bound: gamma_n sum |q_j| |t|^j: one rounding a step, and q_j passes at most n of them; each may underflow.
 // Fails: as any power form, when its coefficients came out of a rounded conversion.
 #pragma once

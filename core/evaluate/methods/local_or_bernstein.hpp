@@ -2,9 +2,8 @@
 // Formula: on each axis, with k its locality (core/bound/locality.hpp): for nk <= 1 local:differences:horner_fma, for
 //   k <= 2 local:differences:horner_corrected, else horner_bernstein_fma. About an end, power form multiplies numbers
 //   that are hardly larger than the result.
-// Source: [Farin 2002], nested multiplication; the choice is derived here.
-// Cost: plain, dn fused multiply-adds and a sum per point; corrected, d (n + 3) and 3d + 1; else that of
-//   horner_bernstein_fma. results/real has the times on curves.
+// Source: the choice is derived here.
+// Cost: results/real has the times on curves.
 // Bound: that of the method that is chosen. docs/proofs/local.md has the proof.
 // Keeps: docs/proofs/local.md.
 // Fails: as horner_bernstein_fma, where k > 2. Its differences take O(n^2) to prepare. Where axes are chosen for

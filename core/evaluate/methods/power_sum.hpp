@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Formula: p(t) = sum q_j t^j with t^j as a running product, added in ascending order.
-// Source: [Report 001], section 1.3.
-// Cost: n + 2dn flops per point.
 // Bound: gamma_(n+1) sum |q_j| |t|^j: term j >= 1 has j-1 roundings in t^j, 1 product and at most n-j+1 additions. A
 //   t^j that underflows loses up to |q_j| eta.
 // Fails: as any power form, when its coefficients came out of a rounded conversion.

@@ -2,9 +2,9 @@
 // Formula: z = t (1-t) and L_j = (1-t) s_j + t s_(n-j); from c = L_m, n = 2m+1, or c = L_(m-1) + z s_m, n = 2m:
 //   c = L_j + z (c - L_j) for j = m-1 (odd n) or m-2 (even n), ..., 0. A cubic has s_0 = b_0, s_1 = 3 b_1 - b_0 - b_3,
 //   s_2 = 3 b_2 - b_3 - b_0, s_3 = b_3, and takes three linear interpolations.
-// Source: the cubic in [Lin et al. 2021] and [Yuksel 2024]. Higher degrees are derived here: p = sum z^j ((1-t) a_j +
-//   t a_(n-j)) is the symmetric power form of [Sanchez-Reyes 1997]; s_j = a_0 + ... + a_j makes it interpolations.
-// Cost: 3dn + 2 flops per point for odd n, 3dn - d + 2 for even n, O(d) memory; `prepare` takes about (1 + d) n^2/2.
+// Source: higher degrees than the cubic are derived here: p = sum z^j ((1-t) a_j + t a_(n-j)) is the symmetric power
+//   form of [Sanchez-Reyes 1997]; s_j = a_0 + ... + a_j makes it interpolations.
+// Cost: O(d) memory; `prepare` takes about (1 + d) n^2/2.
 // Bound: gamma_(4n+6) (1+sqrt 2)^n (1/2 + |t-1/2|)^n sum C(n,k) |b_k| on [0,1], and n more roundings past n = 54.
 //   docs/proofs/seiler.md derives it, the coefficients s_j and what the method keeps.
 // Keeps: ends_exact, axes_independent, scaling_by_two, total; reversal and finite for n = 1.

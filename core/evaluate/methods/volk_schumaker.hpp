@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: p = (1-t)^n (c_0 + r (c_1 + r (c_2 + ...))), r = t/(1-t), for t <= 1/2; else
 //   p = t^n (c_n + r (c_(n-1) + ...)), r = (1-t)/t; with c_i = C(n,i) b_i from `prepare`.
-// Source: [Schumaker and Volk 1986].
-// Cost: at most 2dn + d + 2 log2 n + 4 flops per point, one of them a division.
+// Cost: one of the flops is a division.
 // Bound: gamma_(4n+3) p~, and n more roundings past n = 54. Term i has 1 + binomial roundings in c_i. Each power of r
 //   brings the rounding of a quotient; the rounding of 1-t in r^i and in (1-t)^n cancels to n-i. Horner's scheme has 2i
 //   + 1, the power, by squaring, n-1, the last product 1: at most 4n + 2 + binomial roundings. (1-t)^n may underflow,

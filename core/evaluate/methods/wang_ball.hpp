@@ -2,8 +2,7 @@
 // Formula: p = sum v_i A_i, A_i = (2t)^i (1-t)^(i+2) for i < floor(n/2), A_(n-i)(t) = A_i(1-t), and in the middle
 //   (2t(1-t))^m for n = 2m, (2t(1-t))^m times 1-t and t for n = 2m+1. From the middle outwards, for i = m-1, ..., 0:
 //     a = (1-t) v_i + t c,  b = (1-t) c + t v_(n-i),  c = (1-t) a + t b;  c starts as v_m or (1-t) v_m + t v_(m+1).
-// Source: [Wang 1987]; [Phien and Dejdumrong 2000]; method RWB of [Fuda et al. 2024].
-// Cost: 9dn/2 + 1 flops per point, 3d/2 fewer for odd n; O(d) memory; `prepare` takes about (3 + 4d) n^2/4.
+// Cost: O(d) memory; `prepare` takes about (3 + 4d) n^2/4.
 // Coefficients: with S_i(L+1) = S_i(L) - S_(i-1)(L-1)/2, S_i(0) = 0 and S_i(1) = 1,
 //     v_i = sum over k <= n/2 of C(n,k) 2^-k (S_(i-k)(n-2k+2) b_k - S_(i-k-2)(n-2k-2)/4 b_(n-k)),
 //   derived in docs/proofs/wang_ball.md. Each weight V_ik of b_k in v_i has a relative error of a few n u.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: h_0 = 1, Q_0 = b_0; h_k = (n-k+1) t h_(k-1) / (k (1-t) + (n-k+1) t h_(k-1)); Q_k = (1-h_k) Q_(k-1) + h_k
 //   b_k; p = Q_n. Of t and 1-t the larger is divided out.
-// Source: [Wozny and Chudy 2020], Algorithm 1.1.
-// Cost: n (6 + 3d) + 3 flops per point, n + 1 of them divisions, O(d) memory.
+// Cost: O(d) memory.
 // Bound: none relative to p~: 1 - h_k cancels where h_k is near 1 (wozny_chudy_positive avoids that).
 // Fails: outside [0,1] the combinations are no longer convex and a denominator may vanish.
 #pragma once

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: as wozny_chudy, with both weights as quotients of the same denominator D = k (1-t) + (n-k+1) t h, h =
 //   h_(k-1): Q_k = (k (1-t)/D) Q_(k-1) + ((n-k+1) t h/D) b_k. Nothing is subtracted.
-// Source: [Wozny and Chudy 2020], remark on the accuracy of 1 - h_k.
-// Cost: n (6 + 3d) + 3 flops per point, 2n + 1 of them divisions, O(d) memory.
+// Cost: O(d) memory.
 // Bound: gamma_((3n+2)(n+1)) p~ for 0 <= t <= 1; wozny_chudy_weights.hpp derives it.
 // Fails: outside [0,1] the combinations are no longer convex and a denominator may vanish.
 #pragma once

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: as wozny_chudy_rational, with both weights as quotients of the same denominator D = (1-t) + r_k t h,
 //   h = h_(k-1): Q_k = ((1-t)/D) Q_(k-1) + (r_k t h/D) b_k. Nothing is subtracted.
-// Source: [Wozny and Chudy 2020], remark on the accuracy of 1 - h_k.
-// Cost: n (5 + 3d) + 3 flops per point, 2n + 1 of them divisions; O(d) memory; per curve 4n.
+// Cost: O(d) memory; per curve 4n.
 // Bound: gamma_((4.5n+2)(n+1)) p~ for weights > 0 and 0 <= t <= 1; the proof, with underflow, is in
 //   docs/proofs/wozny_chudy_positive_rational.md.
 // Fails: a weight of 0 between others makes 0/0. Outside [0,1] or with weights of both signs a denominator may vanish.

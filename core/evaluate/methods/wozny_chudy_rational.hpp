@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: h_0 = 1, Q_0 = b_0; h_k = r_k t h_(k-1) / ((1-t) + r_k t h_(k-1)) with r_k = (n-k+1) w_k / (k w_(k-1)) from
 //   `prepare`; Q_k = (1-h_k) Q_(k-1) + h_k b_k; p = Q_n. Of t and 1-t the larger is divided out.
-// Source: [Wozny and Chudy 2020], the rational case of the algorithm, whose h_k is
-//   w_k (n-k+1) t h_(k-1) / (w_(k-1) k (1-t) + w_k (n-k+1) t h_(k-1)).
-// Cost: n (5 + 3d) + 3 flops per point, n + 1 of them divisions; O(d) memory; per curve 4n.
+// Cost: O(d) memory; per curve 4n.
 // Bound: none relative to p~: 1 - h_k cancels where h_k is near 1 (wozny_chudy_positive avoids that).
 // Fails: a weight of 0 between others makes 0/0. Outside [0,1] or with weights of both signs a denominator may vanish.
 #pragma once

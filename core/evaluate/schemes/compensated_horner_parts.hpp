@@ -7,7 +7,6 @@
 // Source: the parts are those of [Hermes 2019], Algorithm 4.2, for Horner's scheme in place of the triangle; K = 2 is
 //   compensated_horner. [Cameron and Graillat 2024] reach the same accuracy with parts that every step sums again, by
 //   58 and 115 flops a step for K = 3 and 4, [Graillat et al. 2009] with 2^K - 1 schemes.
-// Cost: each method states its own.
 // Bound: u |p| + c_K u^K p~, for any t, with c_K from `remainder_of_parts` in compensated_parts.hpp; derived in
 //   docs/proofs/compensated_parts.md. To first order c_2 = 2n(n+1).
 // Fails: each method states its own.

@@ -6,7 +6,6 @@
 //   where F = K-1 is computed in plain floating point and l_K is dropped; p = sum over F of v_F + (the share of l_K).
 //   Algorithm SumK adds the v_F ([Ogita et al. 2005], Algorithm 4.8); plain addition would round at u |v_1|.
 // Source: [Hermes 2019], Algorithm 4.2; for K = 2 [Jiang et al. 2010].
-// Cost: each method states its own.
 // Bound: u |p| + c_K u^K p~, for any t, with c_K from `compensated_remainder`; derived in
 //   docs/proofs/compensated_parts.md. To first order c_2 = 9 C(n,2) + 15 n.
 // Fails: each method states its own.
