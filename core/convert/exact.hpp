@@ -5,14 +5,15 @@
 //   To power form about t = 1/2: q_j = C(n,j) 2^(j-n) sum_i C(n-j,i) D^j b_i, a dyadic rational.
 //   To Bernstein form: b_i = (1/n!) sum_j C(i,j) j! (n-j)! q_j, a rational with denominator n!.
 // Cost: n^2/2 operations on big integers, each far dearer than a flop of the other conversions. On integers of O(n)
-//   bits sums make that O(n^3) to power form, products O(n^4) about t = 1/2; n! has O(n log n) bits, so O(n^4 log n) to
-//   Bernstein form.
+//   bits sums make that O(n^3) to power form, products O(n^4) about t = 1/2; n! has O(n log n) bits, so the n products
+//   with j! (n-j)! take O(n^3 log^2 n) to Bernstein form, and sums less.
 // Bound: u |coefficient|, one rounding each; u^2 |coefficient| in double-double.
 // Fails: only where the rounded coefficient overflows, so power form ends at degree 640 (76 in float). But a correctly
 //   rounded power coefficient already carries the error that ruins power form at high degree.
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "core/convert/conversion.hpp"
 
@@ -31,21 +32,27 @@ void exact_to_power_double_double(std::span<const double> in, std::span<double> 
 
 namespace detail {
 
-template <class Scalar>
-inline constexpr RoundTo rounding_of = sizeof(Scalar) == sizeof(float) ? RoundTo::binary32 : RoundTo::binary64;
-
-template <Form To, Form From, class Scalar, int Dimension, int Degree, class AxisFunction>
-Curve<To, Scalar, Dimension, Degree> convert_axes(const Curve<From, Scalar, Dimension, Degree>& curve,
-                                                  AxisFunction convert_axis) {
+template <Form To, Form From, class Scalar, int Dimension, int Degree, class Exact>
+Curve<To, Scalar, Dimension, Degree> convert_axes(const Curve<From, Scalar, Dimension, Degree>& curve, Exact exact) {
+  constexpr RoundTo target = sizeof(Scalar) == sizeof(float) ? RoundTo::binary32 : RoundTo::binary64;
   const int n = curve.degree();
-  auto in = per_coefficient<double, Degree>(n);
-  auto out = per_coefficient<double, Degree>(n);
-  const auto count = static_cast<std::size_t>(n) + 1;
+  std::vector<double> in(static_cast<std::size_t>(n) + 1);
+  std::vector<double> out(in.size());
+  const auto copy = [&](const std::vector<double>& row, auto& part, int axis) {
+    for (int i = 0; i <= n; ++i) part(axis, i) = static_cast<Scalar>(row[static_cast<std::size_t>(i)]);
+  };
   Curve<To, Scalar, Dimension, Degree> result(n);
   for (int axis = 0; axis < Dimension; ++axis) {
-    for (int i = 0; i <= n; ++i) in[i] = static_cast<double>(curve(axis, i));
-    convert_axis(std::span<const double>(in.data(), count), std::span<double>(out.data(), count), rounding_of<Scalar>);
-    for (int i = 0; i <= n; ++i) result(axis, i) = static_cast<Scalar>(out[i]);
+    for (int i = 0; i <= n; ++i) in[static_cast<std::size_t>(i)] = static_cast<double>(curve(axis, i));
+    if constexpr (To == Form::power_double_double) {
+      std::vector<double> low(in.size());
+      exact(in, out, low, target);
+      copy(out, result.high, axis);
+      copy(low, result.low, axis);
+    } else {
+      exact(in, out, target);
+      copy(out, result, axis);
+    }
   }
   return result;
 }
@@ -81,21 +88,14 @@ struct ExactToPower {
 };
 
 struct ExactToPowerDoubleDouble {
-  static constexpr MethodInfo info{.id = "exact_dd",
-                                   .label = "Exact, then rounded to double-double",
-                                   .problem = Problem::conversion,
-                                   .form = Form::bernstein,
-                                   .max_degree = max_degree_to_power,
-                                   .max_degree_float = max_degree_to_power_float,
-                                   .bound = ErrorBound{.text = "u^2 sum |b_i| C(n,i) t^i (1+t)^(n-i)",
-                                                       .amplification = Amplification::bernstein_to_power,
-                                                       .factor = [](int, double u) { return u; },
-                                                       .underflow = [](int n) { return n + 1.0; },
-                                                       .underflow_scales_with_coefficients = true,
-                                                       .growth = growth_to_power},
-                                   .flops = "big integers, per curve",
-                                   .cost_exponent = 3,
-                                   .citation = "[Farouki 2012], the definition, in exact arithmetic"};
+  static constexpr MethodInfo info = [] {
+    MethodInfo own = ExactToPower::info;
+    own.id = "exact_dd";
+    own.label = "Exact, then rounded to double-double";
+    own.bound->text = "u^2 sum |b_i| C(n,i) t^i (1+t)^(n-i)";
+    own.bound->factor = [](int, double u) { return u; };
+    return own;
+  }();
 
   static constexpr Form target = Form::power_double_double;
   static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
@@ -103,41 +103,20 @@ struct ExactToPowerDoubleDouble {
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::power_double_double, Scalar, Dimension, Degree> convert(
       const Curve<Form::bernstein, Scalar, Dimension, Degree>& curve) {
-    const int n = curve.degree();
-    auto in = per_coefficient<double, Degree>(n);
-    auto high = per_coefficient<double, Degree>(n);
-    auto low = per_coefficient<double, Degree>(n);
-    const auto count = static_cast<std::size_t>(n) + 1;
-    Curve<Form::power_double_double, Scalar, Dimension, Degree> q(n);
-    for (int axis = 0; axis < Dimension; ++axis) {
-      for (int i = 0; i <= n; ++i) in[i] = static_cast<double>(curve(axis, i));
-      exact_to_power_double_double(std::span<const double>(in.data(), count), std::span<double>(high.data(), count),
-                                   std::span<double>(low.data(), count), detail::rounding_of<Scalar>);
-      for (int j = 0; j <= n; ++j) {
-        q.high(axis, j) = static_cast<Scalar>(high[j]);
-        q.low(axis, j) = static_cast<Scalar>(low[j]);
-      }
-    }
-    return q;
+    return detail::convert_axes<Form::power_double_double>(curve, exact_to_power_double_double);
   }
 };
 
 struct ExactToPowerCentered {
-  static constexpr MethodInfo info{.id = "exact_centered",
-                                   .label = "Exact about t = 1/2, then rounded",
-                                   .problem = Problem::conversion,
-                                   .form = Form::bernstein,
-                                   .max_degree = max_degree_to_power,
-                                   .max_degree_float = max_degree_to_power_float,
-                                   .bound = ErrorBound{.text = "u sum |b_i| C(n,i) (1/2 + |t - 1/2|)^n",
-                                                       .amplification = Amplification::bernstein_to_centered,
-                                                       .factor = [](int, double) { return 1.0; },
-                                                       .underflow = [](int n) { return n + 1.0; },
-                                                       .underflow_scales_with_coefficients = true,
-                                                       .growth = growth_to_power},
-                                   .flops = "big integers, per curve",
-                                   .cost_exponent = 4,
-                                   .citation = "[Farouki 2012], the definition, in exact arithmetic"};
+  static constexpr MethodInfo info = [] {
+    MethodInfo own = ExactToPower::info;
+    own.id = "exact_centered";
+    own.label = "Exact about t = 1/2, then rounded";
+    own.bound->text = "u sum |b_i| C(n,i) (1/2 + |t - 1/2|)^n";
+    own.bound->amplification = Amplification::bernstein_to_centered;
+    own.cost_exponent = 4;
+    return own;
+  }();
 
   static constexpr Form target = Form::power_centered;
   static constexpr double coefficient_growth(int n) { return growth_to_power(n); }
@@ -161,12 +140,11 @@ struct ExactToBernstein {
                                                        .underflow_scales_with_coefficients = true,
                                                        .growth = growth_to_bernstein},
                                    .flops = "big integers, per curve",
-                                   .cost_exponent = 5,
+                                   .cost_exponent = 4,
                                    .citation = "[Farouki and Rajan 1987], in exact arithmetic"};
 
-  static constexpr double coefficient_growth(int n) { return growth_to_bernstein(n); }
-
   static constexpr Form target = Form::bernstein;
+  static constexpr double coefficient_growth(int n) { return growth_to_bernstein(n); }
 
   template <class Scalar, int Dimension, int Degree>
   static Curve<Form::bernstein, Scalar, Dimension, Degree> convert(

@@ -64,7 +64,7 @@ def of(method):
 
 
 def label(method, header):
-    found = re.search(rf'"{re.escape(method)}"[,;]\s*(?:static constexpr std::string_view label = |\.label =\s*)"([^"]*)"', header.text)
+    found = re.search(rf'"{re.escape(method)}"[,;]\s*(?:static constexpr std::string_view label = |\w*\.label =\s*)"([^"]*)"', header.text)
     return found[1] if found else ""
 
 
