@@ -126,7 +126,7 @@ class Job {
 
   /// Appends this study's rows. To be called when the results of all blocks were added.
   virtual void write(tables::Tables& tables) const = 0;
-  [[nodiscard]] virtual std::vector<tables::Series> series() const = 0;
+  [[nodiscard]] virtual std::vector<tables::Series> series() const { return {}; }
   [[nodiscard]] virtual std::vector<Violation> violations() const { return {}; }
 
  private:

@@ -28,7 +28,6 @@ class Costs final : public Job {
   [[nodiscard]] std::unique_ptr<Result> read_result(number::ByteReader&) const override { return nullptr; }
   [[nodiscard]] Extent extent() const override { return {}; }
   void write(tables::Tables&) const override {}
-  [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
 
  private:
   std::vector<double> costs_;

@@ -142,7 +142,6 @@ class EasingFloatsJob final : public run::JobOf<EasedFloatsOfMethods> {
     for (const auto& part : parts_) sum += {1, kernels_.size(), part.range.count() * kernels_.size()};
     return sum;
   }
-  [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
   void write(tables::Tables& tables) const override;
   [[nodiscard]] std::vector<run::Violation> violations() const override;
 

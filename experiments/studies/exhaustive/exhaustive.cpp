@@ -215,7 +215,6 @@ class ExhaustiveJob final : public run::JobOf<Tallies> {
     return sum;
   }
   void write(tables::Tables& tables) const override;
-  [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
 
  protected:
   [[nodiscard]] Tallies work(std::size_t block) const override {

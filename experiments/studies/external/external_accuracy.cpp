@@ -67,7 +67,6 @@ class ExternalAccuracyJob final : public run::JobOf<ExternalTally> {
     for (std::size_t k = 0; k < cells_.size(); ++k)
       std::visit([&](const auto& cell) { cell.write(state(k).tally, tables, failure(state(k))); }, cells_[k]);
   }
-  [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
 
  protected:
   [[nodiscard]] ExternalTally work(std::size_t block) const override {

@@ -65,7 +65,6 @@ class ExternalTimingJob final : private JudgedExternal, public RacingJob<Externa
 
   [[nodiscard]] run::Extent extent() const override { return {0, parts(), parts() * race::timed_inputs_per_cell}; }
   void write(tables::Tables& tables) const override;
-  [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
 
  protected:
   [[nodiscard]] ExternalLaps work(std::size_t block) const override;

@@ -69,7 +69,6 @@ class GuaranteesJob final : public run::JobOf<Refutation> {
     for (std::size_t part = 0; part < parts(); ++part)
       std::visit([&](const auto& question) { write(question, state(part), tables); }, questions_[part]);
   }
-  [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
   [[nodiscard]] std::vector<run::Violation> violations() const override {
     std::vector<run::Violation> all;
     for (std::size_t part = 0; part < parts(); ++part)

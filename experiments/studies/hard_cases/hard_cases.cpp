@@ -145,7 +145,6 @@ class HardCasesJob final : public run::JobOf<Kept> {
     return {parts(), rows, parts() * static_cast<std::uint64_t>(trials())};
   }
   void write(tables::Tables& tables) const override;
-  [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
 
  protected:
   [[nodiscard]] Kept work(std::size_t block) const override {

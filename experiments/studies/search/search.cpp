@@ -185,7 +185,6 @@ class SearchJob final : public run::JobOf<Outcome> {
     for (std::size_t part = 0; part < searches_.size(); ++part)
       std::visit([&](const auto& search) { search.write(state(part), tables); }, searches_[part]);
   }
-  [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
   [[nodiscard]] std::vector<run::Violation> violations() const override {
     std::vector<run::Violation> all;
     for (std::size_t part = 0; part < searches_.size(); ++part)

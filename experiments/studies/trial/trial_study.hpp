@@ -92,7 +92,6 @@ class TrialJob : public run::JobOf<TrialErrors<typename P::Errors>> {
     if constexpr (requires { P::write_example(tables, study_, context_.seed); })
       P::write_example(tables, study_, context_.seed);
   }
-  [[nodiscard]] std::vector<tables::Series> series() const override { return {}; }
   [[nodiscard]] std::vector<run::Violation> violations() const override {
     std::vector<run::Violation> all;
     each_row([&](const Row& row, std::size_t /*part*/) {
