@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/race/counters.hpp"
 
-#include <unistd.h>
-#ifdef __linux__
 #include <linux/perf_event.h>
 #include <sys/syscall.h>
-#endif
+#include <unistd.h>
 
 #include <cerrno>
 #include <system_error>
@@ -13,8 +11,6 @@
 
 namespace bezierbench::race {
 namespace {
-
-#ifdef __linux__
 
 /// A file descriptor, or -1 with errno. `group` is that of the leader, or -1 for the leader itself.
 int open_counter(std::uint64_t event, int group) {
@@ -30,19 +26,6 @@ int open_counter(std::uint64_t event, int group) {
   return static_cast<int>(
       syscall(SYS_perf_event_open, &wanted, this_thread, any_processor, group, PERF_FLAG_FD_CLOEXEC));
 }
-
-int open_cycles() { return open_counter(PERF_COUNT_HW_CPU_CYCLES, -1); }
-int open_instructions(int group) { return open_counter(PERF_COUNT_HW_INSTRUCTIONS, group); }
-
-#else
-
-int open_cycles() {
-  errno = ENOSYS;
-  return -1;
-}
-int open_instructions(int /*group*/) { return open_cycles(); }
-
-#endif
 
 std::string reason_of(int error) {
   switch (error) {
@@ -76,9 +59,9 @@ Counters::Counters() {
 Counters::~Counters() { close(); }
 
 std::string Counters::open() {
-  group_ = open_cycles();
+  group_ = open_counter(PERF_COUNT_HW_CPU_CYCLES, -1);
   if (group_ < 0) return reason_of(errno);
-  instructions_ = open_instructions(group_);
+  instructions_ = open_counter(PERF_COUNT_HW_INSTRUCTIONS, group_);
   if (instructions_ < 0) return reason_of(errno);
   const auto before = read();
   const auto after = read();  // the call itself takes some cycles of this thread
