@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -118,8 +117,8 @@ struct Kind {
   bool timed = false;         ///< the results are times
   bool chains = false;        ///< `methods` are chains of conversions
   bool has_baseline = false;  ///< errors may also be taken against other methods
-  /// The first fault in the kind's own keys, apart from missing ones. May be null.
-  Finding (*check)(const Study& study, const Vocabulary& known) = nullptr;
+  /// The first fault in the kind's own keys, apart from missing ones and from values that no kind takes. May be null.
+  Finding (*check)(const Study& study) = nullptr;
 };
 
 /// The kind of the study. Throws std::logic_error where it has none.
@@ -161,9 +160,6 @@ inline constexpr Field points_key{.key = "points",
                                   .axis = Axis::of_cases};
 static_assert(most_points == 1000000, "the meaning of points states it");
 
-/// Of grids: the largest power of two and one that is no more.
-inline constexpr int most_grid_points = static_cast<int>(std::bit_floor(static_cast<unsigned>(most_points - 1))) + 1;
-
 constexpr Field tolerance_key(std::string_view meaning, std::string_view example) {
   return {.key = "tolerance", .meaning = meaning, .example = example, .required = true, .axis = Axis::of_cases};
 }
@@ -186,14 +182,5 @@ constexpr Field optional(Field key, std::string_view left_out) {
   key.left_out = left_out;
   return key;
 }
-
-Finding check_orders(const std::vector<int>& order);
-Finding check_points(const std::vector<int>& points);
-/// Of grids: a power of two and one.
-Finding check_grid_points(const std::vector<int>& points);
-Finding check_tolerances(const std::vector<double>& tolerance);
-/// `kind` is the id of the kind, for the message.
-Finding check_budget(std::string_view kind, std::int64_t budget);
-Finding check_published(const std::string& published, const Vocabulary& known);
 
 }  // namespace bezierbench::suite

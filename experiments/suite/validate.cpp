@@ -58,6 +58,38 @@ Finding check_axes(const Study& study) {
   return each("scalar", study.scalar, fine);
 }
 
+/// The keys that not every kind has: those that a kind does not have are as they are where they are left out.
+Finding check_own_keys(const Study& study, const Vocabulary& known) {
+  const Kind& kind = kind_of(study);
+  if (auto found = each("modes", study.modes, [](Mode) { return std::string(); })) return found;
+  if (auto found = each("order", study.order, [](int value) {
+        return value >= 0 && value <= max_degree ? "" : fmt::format("order must be 0 to {}", max_degree);
+      }))
+    return found;
+  if (auto found = each("points", study.points, [](int value) {
+        return value >= 2 && value <= most_points ? "" : fmt::format("points must be 2 to {}", most_points);
+      }))
+    return found;
+  if (auto found = each("tolerance", study.tolerance, [](double value) {
+        return std::string(std::isfinite(value) && value > 0 ? "" : "tolerance must be finite and above 0");
+      }))
+    return found;
+  if (study.budget < 1 && find_field(kind, "budget") != nullptr)
+    return Fault{
+        "budget",
+        0,
+        {},
+        fmt::format("kind \"{}\" needs a budget of at least 1, how many inputs it may try; write budget = 20000",
+                    kind.id)};
+  constexpr std::int64_t most_kept = 1000;
+  if (study.kept < 1 || study.kept > most_kept)
+    return Fault{"kept", 0, {}, fmt::format("kept must be 1 to {}", most_kept)};
+  if (study.decomposed_trials < 0) return Fault{"decomposed_trials", 0, {}, "decomposed_trials must not be negative"};
+  if (!study.published.empty() && !contains(known.published_files, study.published))
+    return unknown("published", 0, study.published, known.published_files);
+  return std::nullopt;
+}
+
 Finding check_counts(const Study& study) {
   if (study.trials < 1) return Fault{"trials", 0, {}, "trials must be at least 1"};
   if (study.replicates < 1) return Fault{"replicates", 0, {}, "replicates must be at least 1"};
@@ -288,7 +320,8 @@ Finding validate(const Study& study, const Vocabulary& known) {
   if (auto found = check_curves(study)) return found;
   const Kind& kind = kind_of(study);
   if (kind.check != nullptr)
-    if (auto found = kind.check(study, known)) return found;
+    if (auto found = kind.check(study)) return found;
+  if (auto found = check_own_keys(study, known)) return found;
   if (auto found = check_ids(study, known)) return found;
   if (auto found = check_baseline(study)) return found;
   if (auto found = check_inputs(study, known.generators)) return found;

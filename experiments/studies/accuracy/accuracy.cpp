@@ -80,12 +80,6 @@ constexpr std::array accuracy_fields{
          .left_out = "0"}),
     suite::field<&suite::Study::published>(suite::published_key)};
 
-suite::Finding check_accuracy(const suite::Study& study, const suite::Vocabulary& known) {
-  if (study.decomposed_trials < 0)
-    return suite::Fault{"decomposed_trials", 0, {}, "decomposed_trials must not be negative"};
-  return suite::check_published(study.published, known);
-}
-
 }  // namespace
 
 extern constexpr StudyKind accuracy_kind{.asks = {.id = "accuracy",
@@ -93,8 +87,7 @@ extern constexpr StudyKind accuracy_kind{.asks = {.id = "accuracy",
                                                   .own = accuracy_fields,
                                                   .methods_example = "[\"de_casteljau\", \"horner_bernstein\"]",
                                                   .problem = Problem::evaluation,
-                                                  .has_baseline = true,
-                                                  .check = check_accuracy},
+                                                  .has_baseline = true},
                                          .make = accuracy_job,
                                          .timed = timed_evaluation,
                                          .make_external = external_accuracy_job};

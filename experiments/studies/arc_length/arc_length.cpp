@@ -47,9 +47,6 @@ extern constexpr StudyKind arc_length_kind =
                                                  .forms_reason = "lengths are those of Bezier curves",
                                                  .double_only = true,
                                                  .parameters = suite::Parameters::from_0_to_1,
-                                                 .parameters_reason = "the part to be measured"},
-                                      .check = [](const suite::Study& study, const suite::Vocabulary& /*known*/) {
-                                        return suite::check_tolerances(study.tolerance);
-                                      }});
+                                                 .parameters_reason = "the part to be measured"}});
 
 }  // namespace bezierbench::studies

@@ -273,17 +273,14 @@ constexpr std::array conversion_fields{suite::field<&suite::Study::published>(su
 
 }  // namespace
 
-extern constexpr StudyKind conversion_kind{
-    .asks = {.id = "conversion",
-             .about = "errors of the coefficients in another form",
-             .own = conversion_fields,
-             .methods_example = "[\"factorial+positive_sum\"]",
-             .inputs = {.forms = suite::polynomial_forms,
-                        .forms_reason = "conversions take polynomial curves",
-                        .double_only = true},
-             .chains = true,
-             .check = [](const suite::Study& study,
-                         const suite::Vocabulary& known) { return suite::check_published(study.published, known); }},
-    .make = conversion_job};
+extern constexpr StudyKind conversion_kind{.asks = {.id = "conversion",
+                                                    .about = "errors of the coefficients in another form",
+                                                    .own = conversion_fields,
+                                                    .methods_example = "[\"factorial+positive_sum\"]",
+                                                    .inputs = {.forms = suite::polynomial_forms,
+                                                               .forms_reason = "conversions take polynomial curves",
+                                                               .double_only = true},
+                                                    .chains = true},
+                                           .make = conversion_job};
 
 }  // namespace bezierbench::studies

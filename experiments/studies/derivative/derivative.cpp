@@ -69,9 +69,6 @@ extern constexpr StudyKind derivative_kind =
                                        .about = "errors of derivatives at one parameter",
                                        .own = derivative_fields,
                                        .methods_example = "[\"differences_horner\"]",
-                                       .inputs = {.double_only = true},
-                                       .check = [](const suite::Study& study, const suite::Vocabulary& /*known*/) {
-                                         return suite::check_orders(study.order);
-                                       }});
+                                       .inputs = {.double_only = true}});
 
 }  // namespace bezierbench::studies

@@ -128,11 +128,6 @@ constexpr std::array fitting_fields{suite::field<&suite::Study::points>(suite::p
                                     suite::field<&suite::Study::tolerance>(suite::tolerance_key(
                                         "distances from the data that a fit may have", "[1e-2, 1e-4]"))};
 
-suite::Finding check_fitting(const suite::Study& study, const suite::Vocabulary& /*known*/) {
-  if (auto found = suite::check_points(study.points)) return found;
-  return suite::check_tolerances(study.tolerance);
-}
-
 }  // namespace
 
 extern constexpr StudyKind fitting_kind =
@@ -149,7 +144,6 @@ extern constexpr StudyKind fitting_kind =
                                                .parameters_reason = "data are taken from whole curves",
                                                .sets = suite::SetUse::none,
                                                .sets_reason = "the data are taken from drawn curves",
-                                               .independent_points = true},
-                                    .check = check_fitting});
+                                               .independent_points = true}});
 
 }  // namespace bezierbench::studies

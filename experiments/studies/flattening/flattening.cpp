@@ -156,9 +156,6 @@ extern constexpr StudyKind flattening_kind =
                                                   .least_degree = 1,
                                                   .least_degree_reason = "a chord has two ends",
                                                   .parameters = suite::Parameters::whole,
-                                                  .parameters_reason = "whole curves are flattened"},
-                                       .check = [](const suite::Study& study, const suite::Vocabulary& /*known*/) {
-                                         return suite::check_tolerances(study.tolerance);
-                                       }});
+                                                  .parameters_reason = "whole curves are flattened"}});
 
 }  // namespace bezierbench::studies

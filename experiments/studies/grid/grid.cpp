@@ -4,6 +4,7 @@
 #include "core/grid/grid.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "experiments/metric/derivative_scale.hpp"
@@ -91,6 +92,9 @@ bool GridProblem::is_right(const Kernel& method, const Drawn& drawn, double /*to
 
 namespace {
 
+/// The largest power of two and one that is no more than suites take.
+constexpr int most_grid_points = static_cast<int>(std::bit_floor(static_cast<unsigned>(suite::most_points - 1))) + 1;
+
 constexpr suite::Field grid_points_key{
     .key = "points",
     .meaning = "numbers of points of the grid, each a power of two and one, 2 to 524289",
@@ -98,12 +102,15 @@ constexpr suite::Field grid_points_key{
     .required = true,
     .axis = suite::Axis::of_cases};
 
-static_assert(suite::most_grid_points == 524289, "the meaning of points states it");
+static_assert(most_grid_points == 524289, "the meaning of points states it");
 
 constexpr std::array grid_fields{suite::field<&suite::Study::points>(grid_points_key)};
 
-suite::Finding check_grid(const suite::Study& study, const suite::Vocabulary& /*known*/) {
-  return suite::check_grid_points(study.points);
+suite::Finding check_grid(const suite::Study& study) {
+  return suite::each("points", study.points, [](int value) {
+    const bool right = value >= 2 && value <= most_grid_points && std::has_single_bit(static_cast<unsigned>(value - 1));
+    return right ? "" : fmt::format("points of a grid must be a power of two and one, 2 to {}", most_grid_points);
+  });
 }
 
 }  // namespace

@@ -222,11 +222,7 @@ extern constexpr StudyKind guarantees_kind{
                         .least_degree = 1,
                         .least_degree_reason = "a curve of degree 0 is a point"},
              .without = undrawn,
-             .without_reason = "the statements are about all control points, and each says which t it is about",
-             .check =
-                 [](const suite::Study& study, const suite::Vocabulary& /*known*/) {
-                   return suite::check_budget("guarantees", study.budget);
-                 }},
+             .without_reason = "the statements are about all control points, and each says which t it is about"},
     .make = guarantees_job};
 
 }  // namespace bezierbench::studies

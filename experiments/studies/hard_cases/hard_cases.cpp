@@ -230,7 +230,6 @@ std::unique_ptr<run::Job> hard_cases_job(const suite::Study& study, const run::J
   return std::make_unique<HardCasesJob>(study, context.seed);
 }
 
-constexpr std::int64_t max_kept = 1000;
 constexpr std::array hard_cases_fields{suite::field<&suite::Study::kept>(
     {.key = "kept",
      .meaning = "so many of the trials of a family are kept by each search, 1 to 1000",
@@ -238,12 +237,6 @@ constexpr std::array hard_cases_fields{suite::field<&suite::Study::kept>(
 
 constexpr std::array<std::string_view, 5> without{"dimension", "coordinate_range", "t_interval", "generator",
                                                   "methods"};
-
-suite::Finding check_hard_cases(const suite::Study& study, const suite::Vocabulary& /*known*/) {
-  const auto kept = study.kept;
-  if (kept >= 1 && kept <= max_kept) return std::nullopt;
-  return suite::Fault{"kept", 0, {}, fmt::format("kept must be 1 to {}", max_kept)};
-}
 
 }  // namespace
 
@@ -259,8 +252,7 @@ extern constexpr StudyKind hard_cases_kind{
                         .sets = suite::SetUse::none,
                         .sets_reason = "a family draws the whole case"},
              .without = without,
-             .without_reason = "a family draws the whole case, of one coordinate, and no method takes part",
-             .check = check_hard_cases},
+             .without_reason = "a family draws the whole case, of one coordinate, and no method takes part"},
     .make = hard_cases_job};
 
 namespace {

@@ -117,23 +117,21 @@ constexpr std::array interpolation_fields{suite::field<&suite::Study::points>(su
 
 }  // namespace
 
-extern constexpr StudyKind interpolation_kind = companion_kind<InterpolationProblem>(
-    {.id = "interpolation",
-     .about = "errors of splines through random points",
-     .own = interpolation_fields,
-     .methods_example = "[\"c2_natural\"]",
-     .inputs = {.forms = suite::bernstein_form,
-                .forms_reason = "splines are of polynomial Bezier curves",
-                .double_only = true,
-                .degree = suite::DegreeUse::not_a_key,
-                .degree_reason = "degree is that of the segments, 3",
-                .parameters = suite::Parameters::whole,
-                .parameters_reason = "points are joined whole",
-                .sets = suite::SetUse::none,
-                .sets_reason = "splines go through drawn points",
-                .independent_points = true},
-     .check = [](const suite::Study& study,
-                 const suite::Vocabulary& /*known*/) { return suite::check_points(study.points); }},
-    race::Size::points);
+extern constexpr StudyKind interpolation_kind =
+    companion_kind<InterpolationProblem>({.id = "interpolation",
+                                          .about = "errors of splines through random points",
+                                          .own = interpolation_fields,
+                                          .methods_example = "[\"c2_natural\"]",
+                                          .inputs = {.forms = suite::bernstein_form,
+                                                     .forms_reason = "splines are of polynomial Bezier curves",
+                                                     .double_only = true,
+                                                     .degree = suite::DegreeUse::not_a_key,
+                                                     .degree_reason = "degree is that of the segments, 3",
+                                                     .parameters = suite::Parameters::whole,
+                                                     .parameters_reason = "points are joined whole",
+                                                     .sets = suite::SetUse::none,
+                                                     .sets_reason = "splines go through drawn points",
+                                                     .independent_points = true}},
+                                         race::Size::points);
 
 }  // namespace bezierbench::studies

@@ -122,9 +122,6 @@ extern constexpr StudyKind inverse_arc_length_kind = companion_kind<InverseArcLe
                 .forms_reason = "lengths are those of Bezier curves",
                 .double_only = true,
                 .parameters = suite::Parameters::from_0_to_1,
-                .parameters_reason = "the share of the length at which t is sought"},
-     .check = [](const suite::Study& study, const suite::Vocabulary& /*known*/) {
-       return suite::check_tolerances(study.tolerance);
-     }});
+                .parameters_reason = "the share of the length at which t is sought"}});
 
 }  // namespace bezierbench::studies

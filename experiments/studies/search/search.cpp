@@ -227,9 +227,7 @@ extern constexpr StudyKind search_kind{
     .asks = {.id = "search",
              .about = "the inputs with the largest error, sought from random ones on",
              .own = search_fields,
-             .methods_example = "[\"de_casteljau\"]",
-             .check = [](const suite::Study& study,
-                         const suite::Vocabulary& /*known*/) { return suite::check_budget("search", study.budget); }},
+             .methods_example = "[\"de_casteljau\"]"},
     .make = search_job};
 
 }  // namespace bezierbench::studies
