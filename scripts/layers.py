@@ -138,7 +138,7 @@ PACKAGES = [
 PACKAGES += [
     (f"{name}.h", "POSIX")
     for name in (
-        "dlfcn errno fcntl signal stdlib time unistd"
+        "dlfcn errno fcntl fnmatch signal stdlib time unistd"
     ).split()
 ]
 

@@ -9,7 +9,8 @@
 
 namespace bezierbench::suite {
 
-/// Whether `pattern` matches all of `id`. `*` stands for any run of characters, also an empty one, `?` for exactly one.
+/// Whether `pattern` matches all of `id`. `*` stands for any run of characters, also an empty one, `?` for exactly one,
+/// and `[ab]` for one of these.
 bool matches(std::string_view pattern, std::string_view id);
 
 /// Whether `id` names a method of another library: such ids begin with `peer_`.
