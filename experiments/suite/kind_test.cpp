@@ -36,7 +36,9 @@ std::string study_of(const Kind& kind, const std::string& more = {}) {
   return text + more;
 }
 
-Study parsed(const std::string& text) { return parse_suite(text, "x.toml", test_vocabulary()).studies.front(); }
+Study parsed(const std::string& text) {
+  return parse_suites(text, "x.toml", test_vocabulary()).front().studies.front();
+}
 
 std::string refused(const std::string& text) {
   return failure_of([&] { parsed(text); });

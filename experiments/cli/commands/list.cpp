@@ -53,8 +53,8 @@ std::vector<Shipped> all_shipped() {
   for (const auto& id : shipped_suites()) {
     const auto file = suite_file(id);
     auto text = bundle::read_file(file);
-    auto one = suite::parse_suite(text, file.string(), known);
-    all.push_back({file.filename().string(), std::move(text), std::move(one)});
+    auto one = suite::parse_suites(text, file.string(), known);
+    all.push_back({file.filename().string(), std::move(text), std::move(one.front())});
   }
   return all;
 }

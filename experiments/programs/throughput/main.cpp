@@ -201,7 +201,7 @@ bool print(const Comparison& one) {
 int measure(const char* ladder) {
   bool met = true;
   for (const auto& one : reference_costs()) met = print(one) && met;
-  const auto suite = suite::read_suite(ladder, cli::vocabulary());
+  const auto suite = suite::read_suites(ladder, cli::vocabulary()).front();
   for (const auto& study : suite.studies) met = print(sweep_cost(one_cell(study))) && met;
   return static_cast<int>(met ? Exit::fine : Exit::finding);
 }

@@ -172,12 +172,6 @@ class Reader {
   std::set<std::string> study_ids_;
 };
 
-Suite only_one(std::vector<Suite> suites, std::string_view file_name) {
-  if (suites.size() != 1)
-    throw Failure(Exit::usage, "{}: one suite is expected here, not {}", file_name, suites.size());
-  return std::move(suites.front());
-}
-
 /// Refuses keys with many dots. Every dot in a key nests a table deeper, and beyond some ten thousand the parser's
 /// recursion overflows the stack; no suite has a key with dots. Adjacent dots are not part of a key, but may decorate a
 /// comment.
@@ -228,14 +222,6 @@ std::vector<Suite> parse_suites(std::string_view text, std::string_view file_nam
 
 std::vector<Suite> read_suites(const std::filesystem::path& file, const Vocabulary& known) {
   return parse_suites(contents(file), file.string(), known);
-}
-
-Suite parse_suite(std::string_view text, std::string_view file_name, const Vocabulary& known) {
-  return only_one(parse_suites(text, file_name, known), file_name);
-}
-
-Suite read_suite(const std::filesystem::path& file, const Vocabulary& known) {
-  return only_one(read_suites(file, known), file.string());
 }
 
 Declared declared(std::string_view text) {

@@ -26,12 +26,6 @@ std::vector<Suite> parse_suites(std::string_view text, std::string_view file_nam
 /// Reads a file as parse_suites does. Throws Failure(Exit::usage) also where the file cannot be read.
 std::vector<Suite> read_suites(const std::filesystem::path& file, const Vocabulary& known);
 
-/// The only suite of a document. Throws Failure(Exit::usage) where there are several.
-Suite parse_suite(std::string_view text, std::string_view file_name, const Vocabulary& known);
-
-/// The only suite of a file. Throws Failure(Exit::usage) where there are several.
-Suite read_suite(const std::filesystem::path& file, const Vocabulary& known);
-
 /// What a document with one suite states for those who choose a suite. It does not describe what a run does, so a Suite
 /// has no such members, and a resolved suite no such keys.
 struct Declared {

@@ -27,7 +27,7 @@ using ::testing::StartsWith;
 const std::string head = "schema_version = 1\n[suite]\nid = \"s\"\n[[study]]\nid = \"a\"\n";  // five lines
 const std::string minimal = head + "kind = \"accuracy\"\n";                                   // six
 
-Suite parsed(const std::string& text) { return parse_suite(text, "x.toml", test_vocabulary()); }
+Suite parsed(const std::string& text) { return parse_suites(text, "x.toml", test_vocabulary()).front(); }
 
 std::string refused(const std::string& text) {
   const std::string line = failure_of([&] { parsed(text); });
@@ -36,7 +36,7 @@ std::string refused(const std::string& text) {
 }
 
 TEST(Reader, ReadsTheReportSuite) {
-  const Suite suite = read_suite(BEZIERBENCH_SOURCE_DIR "/experiments/suites/report.toml", test_vocabulary());
+  const Suite suite = read_suites(BEZIERBENCH_SOURCE_DIR "/experiments/suites/report.toml", test_vocabulary()).front();
   EXPECT_EQ(suite.id, "report");
   EXPECT_EQ(suite.seed, 1U);
   ASSERT_EQ(suite.studies.size(), 11U);
@@ -264,9 +264,9 @@ TEST(Reader, RefusesDocumentsThatAreNoSuite) {
 }
 
 TEST(Reader, AnUnreadableFileIsAUsageError) {
-  const auto missing = failure_of([] { read_suite("no/such/suite.toml", test_vocabulary()); });
+  const auto missing = failure_of([] { read_suites("no/such/suite.toml", test_vocabulary()); });
   EXPECT_THAT(missing, StartsWith("no/such/suite.toml: cannot be read (No such file or directory); "));
-  const auto folder = failure_of([] { read_suite(BEZIERBENCH_SOURCE_DIR, test_vocabulary()); });
+  const auto folder = failure_of([] { read_suites(BEZIERBENCH_SOURCE_DIR, test_vocabulary()); });
   EXPECT_THAT(folder, HasSubstr(": cannot be read (Is a directory); "));
 }
 
@@ -397,8 +397,7 @@ TEST(Writer, ReadsBackToEqualValues) {
 }
 
 TEST(Writer, ReportSuiteReadsBack) {
-  const std::vector<Suite> suites{
-      read_suite(BEZIERBENCH_SOURCE_DIR "/experiments/suites/report.toml", test_vocabulary())};
+  const auto suites = read_suites(BEZIERBENCH_SOURCE_DIR "/experiments/suites/report.toml", test_vocabulary());
   expect_equal(suites, read_back(suites));
 }
 
@@ -414,13 +413,6 @@ TEST(Writer, OneSuiteIsWrittenAsPeopleWriteIt) {
             "kind = \"accuracy\"\ncurve = \"bernstein\"\ndimension = [2]\ndegree = [4]\n"
             "coordinate_range = [1e+06]\nt_interval = [[0, 1]]\ngenerator = [\"continuous\"]\nscalar = [\"double\"]\n"
             "trials = 1000\nreplicates = 1\nbaseline = [\"exact\"]\n");
-}
-
-TEST(Writer, SeveralSuitesAreNoSingleOne) {
-  const auto several = Random(3).study("a");
-  const std::vector<Suite> suites{{"s", "", 1, {several}}, {"r", "", 1, {Random(4).study("b")}}};
-  EXPECT_THAT(failure_of([&] { parse_suite(to_toml(suites), "x.toml", test_vocabulary()); }),
-              ::testing::StartsWith("x.toml: one suite is expected"));
 }
 
 }  // namespace
