@@ -34,7 +34,7 @@ TABLE = {
         ["core", "reference/error", "experiments/suite", "experiments/sample", "experiments/metric", "experiments/judge"],
         ["Google Benchmark", "Valgrind"],
     ),
-    "experiments/guarantees": (["core", "reference", "experiments/sample", "experiments/judge/workspace.hpp"], []),
+    "experiments/guarantees": (["core", "reference", "experiments/sample"], []),
     "experiments/bundle": ([], ["nlohmann/json", "OpenSSL"]),
     "experiments/tables": (
         ["reference/published", "reference/error", "experiments/suite", "experiments/sample", "experiments/bundle", "experiments/metric"],
@@ -92,6 +92,7 @@ ADDITIONS = [
     (r"experiments/peers/.*models", "reference/curves", "models are read as any file of curves is"),
     (r"experiments/peers/adapters/occt_models", "reference/companion/bspline_control_points.hpp", "their B-splines are cut by exact arithmetic"),
     (r"experiments/external/", "core/evaluate/kernel/kernel.hpp", "external code is handed over as what the harness sees"),
+    (r"experiments/external/method", "core/evaluate/kernel/prepared_state.hpp", "likewise"),
     (r"experiments/external/harness", "core/evaluate/kernel/kernel_of.hpp", "a method of a user's program becomes a kernel as ours do"),
     (r"experiments/peers/", "core/arc_length/kernel.hpp", "likewise"),
     (r"experiments/peers/", "core/project/kernel.hpp", "likewise"),

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
-#include <new>
 #include <string_view>
 
+#include "core/evaluate/kernel/prepared_state.hpp"
 #include "experiments/failure.hpp"
 
 namespace bezierbench::external {
@@ -19,17 +19,13 @@ template <class Scalar>
 Status evaluate_each(const Method& method, const Batch& batch, std::vector<double>& points) {
   const auto* kernel = method.open_kernel(batch.dimension, Scalar{});
   if (kernel == nullptr) return Status::exited;
-  const auto alignment = std::align_val_t{std::max(kernel->prepared_alignment, alignof(std::max_align_t))};
-  void* const prepared = ::operator new(kernel->prepared_size, alignment);  // the process ends with the batch
-  const auto evaluate_point = kernel->evaluate_for(batch.degree);
   const std::vector<Scalar> coefficients(batch.coefficients.begin(), batch.coefficients.end());
   const std::vector<Scalar> weights(batch.weights.begin(), batch.weights.end());
   std::vector<Scalar> computed(points.begin(), points.end());
   for (std::size_t k = 0; k < batch.count(); ++k) {
     const auto t = static_cast<Scalar>(batch.inputs[k]);
-    kernel->prepare(batch.curve<Scalar>(k, coefficients, weights), prepared);
-    evaluate_point(prepared, std::span(&t, 1), computed.data() + k * static_cast<std::size_t>(batch.dimension));
-    if (kernel->destroy != nullptr) kernel->destroy(prepared);
+    PreparedState<Scalar>(*kernel, batch.curve<Scalar>(k, coefficients, weights))
+        .evaluate({&t, 1}, computed.data() + k * static_cast<std::size_t>(batch.dimension));
   }
   std::copy(computed.begin(), computed.end(), points.begin());
   return Status::ok;

@@ -11,9 +11,8 @@
 #include <vector>
 
 #include "core/evaluate/guarantee.hpp"
-#include "core/evaluate/kernel/kernel.hpp"
+#include "core/evaluate/kernel/prepared_state.hpp"
 #include "core/powers.hpp"
-#include "experiments/judge/workspace.hpp"
 
 namespace bezierbench::guarantees {
 
@@ -35,11 +34,8 @@ class Evaluation {
   std::array<Values<Scalar>, Count> points(const std::vector<Scalar>& coefficients,
                                            const std::array<Scalar, Count>& t) {
     const int degree = static_cast<int>(coefficients.size()) / kernel_.dimension - 1;
-    void* prepared = storage_.reserve(kernel_.prepared_size);
-    kernel_.prepare({Form::bernstein, kernel_.dimension, degree, coefficients}, prepared);
     std::array<Scalar, Count * most_axes> flat;
-    kernel_.evaluate_for(degree)(prepared, t, flat.data());
-    if (kernel_.destroy != nullptr) kernel_.destroy(prepared);
+    PreparedState<Scalar>(kernel_, {Form::bernstein, kernel_.dimension, degree, coefficients}).evaluate(t, flat.data());
     std::array<Values<Scalar>, Count> points{};
     const auto d = static_cast<std::size_t>(kernel_.dimension);
     for (std::size_t k = 0; k < Count; ++k)
@@ -52,7 +48,6 @@ class Evaluation {
 
  private:
   const Kernel<Scalar>& kernel_;
-  judge::PreparedStorage storage_;
 };
 
 /// Above 0 where the input breaks the property; else minus a distance from that. Empty where the statement is not about

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "experiments/judge/workspace.hpp"
+#include "core/evaluate/kernel/prepared_state.hpp"
 
 namespace bezierbench::judge {
 namespace {
@@ -17,9 +17,8 @@ struct Measured {
 };
 
 Measured measured(const Kernel<double>& kernel, const CurveView<double>& curve, double t) {
-  PreparedStorage storage;
   std::vector<double> point(static_cast<std::size_t>(curve.dimension));
-  evaluate_once<double>(kernel, curve, t, storage, point);
+  PreparedState<double>(kernel, curve).evaluate({&t, 1}, point.data());
   reference::ExactCurve exact;
   const reference::ExactPoint truth = exact.point(curve, t);
   SourceMeter<double> meter;

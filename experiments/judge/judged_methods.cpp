@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/bound/amplification.hpp"
+#include "core/evaluate/kernel/prepared_state.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/suite/validate.hpp"
@@ -135,7 +136,7 @@ void GroupPoints<Scalar>::evaluate_one_by_one(const GroupMethod<Scalar>& method,
       curve = {method.kernel->evaluated_form, curve.dimension, curve.degree, one_};
     }
     std::array<Scalar, reference::max_dimension> point{};
-    evaluate_once(*method.evaluator, curve, t_[k], prepared_, std::span<Scalar>(point.data(), d));
+    PreparedState<Scalar>(*method.evaluator, curve).evaluate({&t_[k], 1}, point.data());
     for (std::size_t axis = 0; axis < d; ++axis) points[axis][k] = static_cast<double>(point[axis]);
   }
 }
@@ -144,7 +145,7 @@ template <class Scalar>
 void GroupPoints<Scalar>::check_first(const GroupMethod<Scalar>& method, const PointsOfGroup& points) {
   const auto d = static_cast<std::size_t>(dimension_);
   std::array<Scalar, reference::max_dimension> point{};
-  evaluate_once(*method.kernel, curves_[0], t_[0], prepared_, std::span<Scalar>(point.data(), d));
+  PreparedState<Scalar>(*method.kernel, curves_[0]).evaluate({t_.data(), 1}, point.data());
   for (std::size_t axis = 0; axis < d; ++axis) {
     const auto right = static_cast<double>(point[axis]);
     const double ours = points[axis][0];

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/batch/batch.hpp"
-#include "experiments/judge/workspace.hpp"
 #include "experiments/sample/cell.hpp"
 #include "reference/certified_points.hpp"
 #include "reference/error/trial_scale.hpp"
@@ -74,7 +73,6 @@ class GroupPoints {
   std::vector<Scalar> converted_;           ///< likewise
   const MethodInfo* conversion_ = nullptr;  ///< the conversion that computed `converted_`; methods share it
   std::vector<Scalar> one_;                 ///< coefficients of one converted curve
-  PreparedStorage prepared_;
 };
 
 template <class Scalar>

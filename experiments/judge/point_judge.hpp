@@ -8,10 +8,9 @@
 #include <optional>
 #include <span>
 
-#include "core/evaluate/kernel/kernel.hpp"
+#include "core/evaluate/kernel/prepared_state.hpp"
 #include "experiments/judge/scalar_facts.hpp"
 #include "experiments/judge/trial_inputs.hpp"
-#include "experiments/judge/workspace.hpp"
 #include "experiments/metric/tally.hpp"
 #include "reference/error/trial_scale.hpp"
 #include "reference/true_point.hpp"
@@ -38,7 +37,8 @@ class PointJudge {
   PointVerdict judge(const Kernel<Scalar>& kernel, const TrialInputs<Scalar>& inputs) {
     const auto d = static_cast<std::size_t>(kernel.dimension);
     std::array<Scalar, reference::max_dimension> point{};
-    evaluate_once(kernel, inputs.curve(), inputs.t(), storage_, std::span<Scalar>(point.data(), d));
+    const Scalar t = inputs.t();
+    PreparedState<Scalar>(kernel, inputs.curve()).evaluate({&t, 1}, point.data());
     return judge(kernel, inputs, std::span<const Scalar>(point.data(), d));
   }
 
@@ -97,7 +97,6 @@ class PointJudge {
   }
 
   reference::Tier tier_;
-  PreparedStorage storage_;
   std::optional<reference::CertifiedPoints> certified_;  ///< of the last form, dimension and degree
   reference::ExactCurve exact_;
   reference::TrialScale scale_;

@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/evaluate/kernel/prepared_state.hpp"
 #include "experiments/judge/scalar_facts.hpp"
-#include "experiments/judge/workspace.hpp"
 #include "experiments/race/counts.hpp"
 #include "experiments/race/rounds.hpp"
 #include "reference/error/trial_scale.hpp"
@@ -289,14 +289,13 @@ JudgedPoints<Scalar> judge_points(const Kernel<Scalar>& kernel, suite::Mode mode
   constexpr auto arithmetic = judge::ScalarFacts<Scalar>::arithmetic;
   reference::ExactCurve exact;
   reference::TrialScale scale;
-  judge::PreparedStorage storage;
   const auto dimension = static_cast<std::size_t>(inputs.dimension);
   JudgedPoints<Scalar> judged{std::vector<Scalar>(inputs.t.size() * dimension), true, std::nullopt};
   const auto& proved = kernel.info->bound;
   for (std::size_t k = 0; k < inputs.t.size(); ++k) {
     const auto curve = inputs.curve_of(k, mode);
     const auto point = std::span(judged.points).subspan(k * dimension, dimension);
-    judge::evaluate_once<Scalar>(kernel, curve, inputs.t[k], storage, point);
+    PreparedState<Scalar>(kernel, curve).evaluate({&inputs.t[k], 1}, point.data());
 
     const auto coefficients = widened(curve.coefficients);
     const auto weights = widened(curve.weights);

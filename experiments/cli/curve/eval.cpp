@@ -2,9 +2,9 @@
 // `curve eval`: points of one curve by any method, against the exact ones.
 #include <algorithm>
 
+#include "core/evaluate/kernel/prepared_state.hpp"
 #include "experiments/cli/curve/curve_command.hpp"
 #include "experiments/judge/methods.hpp"
-#include "experiments/judge/workspace.hpp"
 #include "reference/error/trial_scale.hpp"
 #include "reference/exact_curve.hpp"
 #include "reference/number/number.hpp"
@@ -47,11 +47,10 @@ void Eval::add_rows(CurveCase<Kernel<double>> one, CurveTable& table) const {
     require_point(truths.back(), at, one.name);
     p_tildes.push_back(exact.p_tilde(curve, at));
   }
-  judge::PreparedStorage storage;
   std::vector<double> point(static_cast<std::size_t>(curve.dimension));
   for (const auto* kernel : one.methods)
     for (std::size_t k = 0; k < ts.size(); ++k) {
-      judge::evaluate_once<double>(*kernel, curve, ts[k], storage, point);
+      PreparedState<double>(*kernel, curve).evaluate({&ts[k], 1}, point.data());
       table.add_point({std::string(kernel->info->id), number::decimal(ts[k])}, point, truths[k], p_tildes[k],
                       [&](int axis) -> std::optional<double> {
                         const auto& bound = kernel->info->bound;

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "core/evaluate/kernel/prepared_state.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/methods.hpp"
 #include "experiments/judge/trial_inputs.hpp"
-#include "experiments/judge/workspace.hpp"
 #include "experiments/race/race.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/studies/roster.hpp"
@@ -159,13 +159,13 @@ Comparison sweep_cost(const suite::Study& study) {
   for (std::size_t k = 0; k < count; ++k) inputs[k].draw(sampler, k);
 
   double sum = 0;  // keeps the work alive
-  judge::PreparedStorage storage;
   const auto bare = [&] {
     std::array<double, 3> point{};
     for (const auto& one : inputs)
       for (const auto* kernel : kernels) {
         if (!kernel->info->supports<double>(cell.degree)) continue;
-        judge::evaluate_once<double>(*kernel, one.curve(), one.t(), storage, point);
+        const double t = one.t();
+        PreparedState<double>(*kernel, one.curve()).evaluate({&t, 1}, point.data());
         sum += point[0];
       }
   };

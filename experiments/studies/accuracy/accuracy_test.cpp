@@ -10,9 +10,8 @@
 #include <thread>
 
 #include "core/batch/batch.hpp"
-#include "core/evaluate/kernel/kernel.hpp"
+#include "core/evaluate/kernel/prepared_state.hpp"
 #include "experiments/judge/methods.hpp"
-#include "experiments/judge/workspace.hpp"
 #include "experiments/sample/draw.hpp"
 #include "experiments/studies/study_test.hpp"
 #include "reference/exact_curve.hpp"
@@ -81,7 +80,6 @@ void expect_errors_of_the_trials(Form kind, const std::string& generator) {
   const sample::Cell cell{kind, 2, 3, 1, {}, generator};
   const sample::Sampler sampler(5, study.id, cell);
   const auto& kernel = *find_kernel<double>("de_casteljau", form, 2);
-  judge::PreparedStorage storage;
   reference::ExactCurve exact;
   sample::Trial trial;
   for (const auto& series : job->series()) {
@@ -93,7 +91,7 @@ void expect_errors_of_the_trials(Form kind, const std::string& generator) {
         sampler.draw(replicate * 2500 + k, trial);
         const CurveView<double> curve{form, 2, 3, trial.coefficients, trial.weights};
         std::array<double, 2> point{};
-        judge::evaluate_once<double>(kernel, curve, trial.t, storage, point);
+        PreparedState<double>(kernel, curve).evaluate({&trial.t, 1}, point.data());
         const double error = reference::Distance(exact.point(curve, trial.t)).to(point);
         sum += error;
         largest = std::max(largest, error);

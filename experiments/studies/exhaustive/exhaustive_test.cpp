@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/evaluate/kernel/kernel.hpp"
-#include "experiments/judge/workspace.hpp"
+#include "core/evaluate/kernel/prepared_state.hpp"
 #include "experiments/studies/exhaustive/float_tally.hpp"
 #include "experiments/studies/study_test.hpp"
 #include "reference/exact_curve.hpp"
@@ -34,12 +33,11 @@ suite::Study small_exhaustive_study() {
 FloatTally by_definition(const FloatCurve& curve, const Kernel<float>& kernel, const FloatRange& range) {
   FloatTally tally;
   reference::ExactCurve exact;
-  judge::PreparedStorage storage;
   std::vector<float> before;
   for (std::uint32_t bits = range.first; bits <= range.last; ++bits) {
     const float t = float_of(bits);
     std::vector<float> point(static_cast<std::size_t>(curve.dimension));
-    judge::evaluate_once<float>(kernel, curve.view(), t, storage, point);
+    PreparedState<float>(kernel, curve.view()).evaluate({&t, 1}, point.data());
     bool misrounded = false;
     bool outside = false;
     bool back = false;
