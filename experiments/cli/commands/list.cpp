@@ -203,22 +203,37 @@ std::string words_of() {
   return fmt::format("{}", fmt::join(suite::all_words<Enum>(), ", "));
 }
 
-/// A description of the values that may be written, by the type of the slot that a field points to.
-struct TypeText {
-  std::string operator()(const suite::Kind* const* /*type*/) const { return "the id of a kind"; }
-  std::string operator()(const std::string* /*type*/) const { return "a string"; }
+Json text_schema() { return {{"type", "string"}}; }
+/// Numbers may also be strings, in decimal or hexadecimal.
+Json number_schema() { return {{"type", Json::array({"number", "string"})}}; }
+Json whole_schema() { return {{"type", "integer"}}; }
+Json list_schema(Json items) { return {{"type", "array"}, {"minItems", 1}, {"items", std::move(items)}}; }
+
+/// The values that may be written: in words, and as a schema.
+struct Values {
+  std::string text;
+  Json schema;
+};
+
+/// They follow from the type of the slot that a field points to.
+struct ValuesOfType {
+  Values operator()(const suite::Kind* const* /*type*/) const { return {"the id of a kind", text_schema()}; }
+  Values operator()(const std::string* /*type*/) const { return {"a string", text_schema()}; }
   template <suite::Worded Enum>
-  std::string operator()(const Enum* /*type*/) const {
-    return "one of " + words_of<Enum>();
+  Values operator()(const Enum* /*type*/) const {
+    return {"one of " + words_of<Enum>(), {{"enum", suite::all_words<Enum>()}}};
   }
-  std::string operator()(const std::int64_t* /*type*/) const { return "a whole number"; }
-  std::string operator()(const std::vector<int>* /*type*/) const { return "whole numbers"; }
-  std::string operator()(const std::vector<double>* /*type*/) const { return "numbers"; }
-  std::string operator()(const std::vector<suite::Interval>* /*type*/) const { return "pairs of numbers"; }
-  std::string operator()(const std::vector<std::string>* /*type*/) const { return "strings"; }
+  Values operator()(const std::int64_t* /*type*/) const { return {"a whole number", whole_schema()}; }
+  Values operator()(const std::vector<int>* /*type*/) const { return {"whole numbers", list_schema(whole_schema())}; }
+  Values operator()(const std::vector<double>* /*type*/) const { return {"numbers", list_schema(number_schema())}; }
+  Values operator()(const std::vector<suite::Interval>* /*type*/) const {
+    return {"pairs of numbers",
+            list_schema({{"type", "array"}, {"minItems", 2}, {"maxItems", 2}, {"items", number_schema()}})};
+  }
+  Values operator()(const std::vector<std::string>* /*type*/) const { return {"strings", list_schema(text_schema())}; }
   template <suite::Worded Enum>
-  std::string operator()(const std::vector<Enum>* /*type*/) const {
-    return "some of " + words_of<Enum>();
+  Values operator()(const std::vector<Enum>* /*type*/) const {
+    return {"some of " + words_of<Enum>(), list_schema({{"enum", suite::all_words<Enum>()}})};
   }
 };
 
@@ -242,7 +257,7 @@ std::string default_of(const Kind& kind, const Field& field) {
 }
 
 std::string key_text(const Kind& kind, const Field& field) {
-  const auto type = std::visit(TypeText(), field.value(default_study(kind)));
+  const auto type = std::visit(ValuesOfType(), field.value(default_study(kind))).text;
   const auto example = fmt::format("{} = {}", field.key, example_of(kind, field));
   return wrapped(fmt::format("  {}: ", field.key),
                  fmt::format("{}; {}; {}", field.meaning, type, default_of(kind, field)), 6, reading_width()) +
@@ -290,40 +305,8 @@ std::string shared_text(const Kind& kind) {
   return text;
 }
 
-Json text_schema() { return {{"type", "string"}}; }
-/// Numbers may also be strings, in decimal or hexadecimal.
-Json number_schema() { return {{"type", Json::array({"number", "string"})}}; }
-Json whole_schema() { return {{"type", "integer"}}; }
-
-template <class Enum>
-Json word_schema() {
-  return {{"enum", suite::all_words<Enum>()}};
-}
-
-Json list_schema(Json items) { return {{"type", "array"}, {"minItems", 1}, {"items", std::move(items)}}; }
-
-struct TypeSchema {
-  Json operator()(const suite::Kind* const* /*type*/) const { return text_schema(); }
-  Json operator()(const std::string* /*type*/) const { return text_schema(); }
-  template <suite::Worded Enum>
-  Json operator()(const Enum* /*type*/) const {
-    return word_schema<Enum>();
-  }
-  Json operator()(const std::int64_t* /*type*/) const { return whole_schema(); }
-  Json operator()(const std::vector<int>* /*type*/) const { return list_schema(whole_schema()); }
-  Json operator()(const std::vector<double>* /*type*/) const { return list_schema(number_schema()); }
-  Json operator()(const std::vector<suite::Interval>* /*type*/) const {
-    return list_schema({{"type", "array"}, {"minItems", 2}, {"maxItems", 2}, {"items", number_schema()}});
-  }
-  Json operator()(const std::vector<std::string>* /*type*/) const { return list_schema(text_schema()); }
-  template <suite::Worded Enum>
-  Json operator()(const std::vector<Enum>* /*type*/) const {
-    return list_schema(word_schema<Enum>());
-  }
-};
-
 Json key_schema(const Kind& kind, const Field& field) {
-  Json schema = std::visit(TypeSchema(), field.value(default_study(kind)));
+  Json schema = std::visit(ValuesOfType(), field.value(default_study(kind))).schema;
   if (field.key == "kind") schema = {{"const", kind.id}};
   if (field.bare_if_single) schema = {{"anyOf", Json::array({schema, text_schema()})}};
   if (field.key == "curve") {
