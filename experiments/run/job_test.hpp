@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -39,6 +40,8 @@ inline std::map<std::string, std::string> expect_order_changes_nothing(MakeJob m
     reader.finish();
   }
   EXPECT_EQ(text_of(*plain), text_of(*backwards));
+  EXPECT_TRUE(
+      std::ranges::equal(plain->series(), backwards->series(), {}, &tables::Series::values, &tables::Series::values));
   EXPECT_TRUE(plain->violations().empty());
   return text_of(*plain);
 }

@@ -4,10 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <mutex>
-#include <numeric>
-#include <random>
-#include <thread>
 
 #include "core/batch/batch.hpp"
 #include "core/evaluate/kernel/prepared_state.hpp"
@@ -31,40 +27,8 @@ suite::Study small_accuracy_study() {
   return study;
 }
 
-/// Through bytes and back, as a result that another process picks up.
-std::unique_ptr<run::Result> reread(const run::Job& job, const run::Result& result) {
-  number::ByteWriter writer;
-  result.save(writer);
-  number::ByteReader reader(writer.bytes());
-  auto copy = job.read_result(reader);
-  reader.finish();
-  return copy;
-}
-
-TEST(Accuracy, OrderThreadsAndInterruptionsChangeNoByte) {
-  const auto study = small_accuracy_study();
-  const auto plain = make_job(study, {1});
-  run::run_all(*plain);
-  const auto shuffled = make_job(study, {1});
-  std::vector<std::size_t> blocks(shuffled->blocks());
-  std::iota(blocks.begin(), blocks.end(), std::size_t{0});
-  std::shuffle(blocks.begin(), blocks.end(), std::mt19937_64(7));
-  std::vector<std::thread> threads;
-  std::mutex mutex;
-  for (std::size_t worker = 0; worker < 3; ++worker)
-    threads.emplace_back([&, worker] {
-      for (std::size_t k = worker; k < blocks.size(); k += 3) {
-        const auto result = shuffled->run_block(blocks[k]);
-        const std::lock_guard lock(mutex);
-        shuffled->add(shuffled->part_of(blocks[k]), reread(*shuffled, *result));
-      }
-    });
-  for (auto& thread : threads) thread.join();
-  for (const std::string file : {"accuracy.csv", "unstable.csv"})
-    EXPECT_EQ(run::text_of(*plain).at(file), run::text_of(*shuffled).at(file));
-  ASSERT_EQ(plain->series().size(), shuffled->series().size());
-  for (std::size_t k = 0; k < plain->series().size(); ++k)
-    EXPECT_EQ(plain->series()[k].values, shuffled->series()[k].values);
+TEST(Accuracy, OrderAndInterruptionsChangeNoByte) {
+  run::expect_order_changes_nothing(make_job, small_accuracy_study());
 }
 
 /// The mean and maximum of every replicate, recomputed here without tallies.
