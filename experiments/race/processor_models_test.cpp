@@ -129,11 +129,5 @@ TEST(ProcessorModels, KnowWhatADivisionCosts) {
   for (const auto& processor : processors) EXPECT_GT(division(simulated(processor.llvm_name)), 2) << processor.id;
 }
 
-TEST(ProcessorModels, LeaveOutThoseOfWhichTheHeaderSaysWhy) {
-  if (!has_simulator()) GTEST_SKIP() << simulator << " is not installed";
-  EXPECT_EQ(simulated("znver3"), simulated("znver4"));
-  for (const char* name : {"sapphirerapids", "alderlake"}) EXPECT_EQ(division(simulated(name)), 1) << name;
-}
-
 }  // namespace
 }  // namespace bezierbench::race
