@@ -175,18 +175,6 @@ TEST(Affine, ATieIsBrokenByTheFarTerm) {
   EXPECT_EQ(affine(-tiny, b, {0, (1ULL << 52U) + 1U}), 0x1p53 + 2);
 }
 
-TEST(Affine, IsTheEndPointOfAnEmptyInterval) {
-  for (const double x : {0.25, -1e300, tiny, 0.0}) EXPECT_EQ(affine(x, x, {123, 456}), x);
-  EXPECT_FALSE(std::signbit(affine(-0.0, 0.0, {1, 2})));
-  EXPECT_FALSE(std::signbit(affine(-0.0, -0.0, {1, 2})));
-}
-
-TEST(Affine, HasAFullMantissaNearZero) {
-  EXPECT_EQ(affine(0, 1, {0, 0}), 0x1p-129);
-  EXPECT_EQ(affine(-1, 1, {ones >> 1U, ones}), -0x1p-128);
-  EXPECT_EQ(affine(-1, 1, {1ULL << 63U, 0}), 0x1p-128);
-}
-
 }  // namespace
 
 }  // namespace bezierbench::sample
