@@ -231,17 +231,6 @@ TEST(TimingRows, SayWhetherATimeMayBeCompared) {
   EXPECT_EQ(csv.at(5, "checked"), "no");
 }
 
-/// What one machine can do at two speeds: repetitions that disagree widen the interval, also that of the ratio.
-TEST(TimingRows, RepetitionsThatDisagreeWidenTheInterval) {
-  const auto study = timing_study();
-  auto races = made_up_races(study);
-  auto& repetitions = races[0].times[0].repetitions;
-  for (const std::size_t disturbed : {2U, 5U}) repetitions[disturbed] = repetition_of(9 * 1.7);
-  EXPECT_EQ(timing_csv(study, races).at(0, "ratio_high"), "2.55") << "two of twelve";
-  for (const std::size_t disturbed : {2U}) repetitions[disturbed] = repetition_of(9);
-  EXPECT_EQ(timing_csv(study, races).at(0, "ratio_high"), "1.5") << "one";
-}
-
 /// Counts come without times, as they do in a study that only counts.
 TEST(CostRows, AreOfTheCountedRaces) {
   const auto study = timing_study();
