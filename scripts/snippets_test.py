@@ -24,7 +24,7 @@ ROOT = Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"^```(\w+)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 NAMED = re.compile(r"\s*//\s*(\w+\.(?:cpp|c|h|hpp))\s*$")
 WARNINGS = ["-Wall", "-Wextra", "-Wconversion", "-Werror"]
-COMPILERS = {"cpp": (["c++"], "-std=c++20", "CXX"), "c": (["cc"], "-std=c99", "CC")}
+COMPILERS = {"cpp": (["c++"], ["-std=c++20"], "CXX"), "c": (["cc"], ["-std=c99", "-Wpedantic"], "CC")}
 MODULES = {"cpp": ("bezierbench-reference bezierbench-c", "bezierbench-methods"), "c": ("bezierbench-c",)}  # the first installed
 
 
@@ -78,9 +78,9 @@ class Page:
         compile_flags, link_flags = self.flags(language)
         program = Path(source).with_suffix(".out").name
         if re.search(r"\bmain\s*\(", body):
-            self.run(*compiler, standard, "-O1", *WARNINGS, *compile_flags, source, "-o", program, *link_flags)
+            self.run(*compiler, *standard, "-O1", *WARNINGS, *compile_flags, source, "-o", program, *link_flags)
             return self.run(f"./{program}")
-        self.run(*compiler, standard, *WARNINGS, *compile_flags, "-fsyntax-only", source)
+        self.run(*compiler, *standard, *WARNINGS, *compile_flags, "-fsyntax-only", source)
         return ""
 
     def cmake(self, body):

@@ -40,12 +40,13 @@ def layout(header, compiler):
             values += [f'printf("value {each} = %d\\n", (int){each});' for each in re.findall(r"\bBB_\w+", body)]
             continue
         structs.append(f'printf("struct {name} size %zu\\n", sizeof({name}));')
-        structs += [f'printf("member {name}.{member} at %zu size %zu\\n", offsetof({name}, {member}), sizeof((({name}*)0)->{member}));'
-                    for member in re.findall(r"(\w+);", body)]
+        for member in re.findall(r"(\w+);", body):
+            numbers = f"offsetof({name}, {member}), sizeof((({name}*)0)->{member})"
+            structs.append(f'printf("member {name}.{member} at %zu size %zu\\n", {numbers});')
     with tempfile.TemporaryDirectory(prefix="bezierbench-abi-") as folder:
         source, program = Path(folder) / "layout.c", Path(folder) / "layout"
         source.write_text(PROGRAM % "\n".join(structs + values), encoding="utf-8")
-        output(compiler, "-std=c99", f"-I{HERE / 'include'}", source, "-o", program)
+        output(compiler, "-x", "c", "-std=c99", f"-I{HERE / 'include'}", source, "-o", program)
         return output(program).splitlines()
 
 
