@@ -4,9 +4,9 @@
 
 readme.py            compares, and exits 1 where a page differs from what the bundles give
 readme.py --update   writes them
-readme.py --program PROGRAM   also compares what only PROGRAM can say: its methods, suites, generators and its comparison of the
-                              committed bundles. Checks with PROGRAM that each bundle is as it was written, and that PROGRAM
-                              still has every method of the baseline with the facts that the baseline states about it
+readme.py --program PROGRAM   also compares what only PROGRAM can say: its methods, suites and generators. Checks with PROGRAM that
+                              each bundle is as it was written, and that PROGRAM still has every method of the baseline
+                              with the facts that the baseline states about it
 
 Such a part stands between the lines <!-- begin NAME --> and <!-- end NAME -->.
 """
@@ -32,7 +32,7 @@ PART = re.compile(r"(<!-- begin ([a-z_]+) -->\n).*?(<!-- end \2 -->)", re.DOTALL
 PARTS = {"answers": lambda _page: answers(Bundle(bundles.ANSWERS), bundles.real()), "figure": lambda page: figure.picture(Bundle(bundles.ANSWERS), page),
          "printed": bundles.printed, "printed_orders": bundles.printed_orders, "scorecard": bundles.scorecard,
          "digest": bundles.digest, "gates": bundles.gates, "doors": index.doors, "index": index.index, "statements": program.statements}
-PARTS_OF_PROGRAM = {"comparison": bundles.comparison, "methods": methods.methods, "generators": program.generators,
+PARTS_OF_PROGRAM = {"methods": methods.methods, "generators": program.generators,
                     "questions": index.questions}
 
 

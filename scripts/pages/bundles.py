@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: MIT
 """The parts of the documents that are numbers of committed bundles."""
 import csv
-import subprocess
 import sys
-import tempfile
 import textwrap
 from collections import Counter
 from pathlib import Path
 
 from report import files
-from report.bundle import Bundle, Comparison
+from report.bundle import Bundle
 from report.chapters.printed import MARK, counts
 from report.findings.printed_tables import events, verdicts
 from report.findings.printed_times import times_as_ratios
@@ -21,7 +19,6 @@ from scripts.pages.markdown import WIDTH, link, table
 ROOT = Path(__file__).resolve().parents[2]
 RESULTS = ROOT / "results"
 BASELINE = RESULTS / "baseline"
-OTHER_BUILD = RESULTS / "clang"
 ANSWERS = RESULTS / "answers"
 REAL = RESULTS / "real"
 TIMES = "2.4"  # the table of the report that prints times
@@ -122,36 +119,3 @@ def digest(page):
                      timings(bundle), agreement(bundle)])
     heads = ["bundle", "compiler", "C library", "processor", "timings", "methods in studies"]
     return f"    {information(BASELINE)['accuracy_digest']}\n\n" + table(heads, body)
-
-
-def compared(program):
-    """The rows of `compare`, from the committed build to the other."""
-    with tempfile.TemporaryDirectory() as place:
-        done = subprocess.run([program, "compare", BASELINE.relative_to(ROOT), OTHER_BUILD.relative_to(ROOT), "--out", place],
-                              cwd=ROOT, capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            sys.exit(done.stderr.strip() or "compare failed")
-        return Comparison(place)
-
-
-def comparison(_page, program):
-    """A description of both builds, then the ratios of the times in the mode for prepared curves."""
-    found = compared(program)
-    judged = [row for row in found.rows.rows if row["kind"] == "accuracy"]
-    times = [row for row in found.rows.rows if row["kind"] == "timing" and row["degree"] is not None]
-    places = {Path(row["bundle"]).name: f"{row['compiler']} on {row['cpu']}" for row in found.standings.rows}
-    one_machine = all(row["machine"] == "same" for row in found.standings.rows)
-    ratio = "ratio" if one_machine else "normalised"
-    unit = "" if one_machine else ", each in units of the sentinel of its own machine"
-    found_of = Counter(row["verdict"] for row in times)
-    words = (f"a is {places[BASELINE.name]}, b is {places[OTHER_BUILD.name]}. Accuracy: identical, bit for bit, in all "
-             f"{len(judged)} common rows. Time of b over time of a{unit}: "
-             + ", ".join(f"{word} in {found_of[word]}" for word in ("faster", "slower", "same", "unresolved"))
-             + f" of {len(times)}. By degree, where curves are prepared and evaluated "
-             "one point at a time:")
-    point = [row for row in times if row["mode"] == "point"]
-    degrees = sorted({row["degree"] for row in point})
-    cells = {(row["form"], row["method"], row["degree"]): row for row in point}
-    body = [[curve, f"`{method}`"] + [f"{cells[curve, method, n][ratio]:.2f}" for n in degrees]
-            for curve, method in dict.fromkeys((row["form"], row["method"]) for row in point)]
-    return textwrap.fill(words, WIDTH) + "\n\n" + table(["form", "method", *(f"n = {n:.0f}" for n in degrees)], body)
