@@ -14,8 +14,7 @@ the repository's folders, in which
 - a run of a whole suite is planned (--dry-run), and a committed bundle is put where two of them would have written,
 - programs that start jobs elsewhere (mpirun, parallel, sbatch), and a program with peers, do nothing,
 
-and each of these is reported. So scripts/reproduce is run, except for the build and the run. Links of the pages to files of the
-repository are checked, too.
+and each of these is reported. So scripts/reproduce is run, except for the build and the run.
 """
 import argparse
 import os
@@ -36,7 +35,6 @@ VARIES = re.compile(r"[-+~]?\d[\d.]*(e[-+]?\d+)?|\b(faster|slower|same|unresolve
 OTHER_BUILD = re.compile(r"^ +\w[^\n]* differs:\s.*?\sbefore,\s.*?\snow$|(^against +\S+); \d+ more with --all$", re.MULTILINE | re.DOTALL)
 BLOCK = re.compile(r"^```(sh|console)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 COLUMNS = re.compile(r"<!-- columns (\d+) -->")
-LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
 SKIPPED = "skipped: "
 
 SLOW_STUB = """#!/usr/bin/env bash
@@ -180,11 +178,6 @@ class Page:
                 copy.environment["COLUMNS"] = width[1]
             return BLOCK.sub(lambda match: (self.script if match[1] == "sh" else self.console)(copy, match), self.text)
 
-    def check_links(self):
-        for match in LINK.finditer(self.text):
-            if not (self.path.parent / match[1]).exists():
-                self.fault(match.start(), f"links to {match[1]}, which does not exist")
-
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -197,7 +190,6 @@ def main():
         if options.only and path.name != options.only:
             continue
         page = Page(path, options.program)
-        page.check_links()
         text = page.run()
         if options.update and text != page.text:
             path.write_text(text, encoding="utf-8")
