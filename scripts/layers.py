@@ -34,7 +34,7 @@ TABLE = {
         ["core", "reference/error", "experiments/suite", "experiments/sample", "experiments/metric", "experiments/judge"],
         ["Google Benchmark", "Valgrind"],
     ),
-    "experiments/guarantees": (["core", "reference", "experiments/sample"], []),
+    "experiments/guarantees": (["core", "reference", "experiments/sample", "experiments/judge/workspace.hpp"], []),
     "experiments/bundle": ([], ["nlohmann/json", "OpenSSL"]),
     "experiments/tables": (
         ["reference/published", "reference/error", "experiments/suite", "experiments/sample", "experiments/bundle", "experiments/metric"],
@@ -92,56 +92,39 @@ ADDITIONS = [
     (r"experiments/peers/.*models", "reference/curves", "models are read as any file of curves is"),
     (r"experiments/peers/adapters/occt_models", "reference/companion/bspline_control_points.hpp", "their B-splines are cut by exact arithmetic"),
     (r"experiments/external/", "core/evaluate/kernel/kernel.hpp", "external code is handed over as what the harness sees"),
-    (r"experiments/external/method", "core/evaluate/kernel/prepared_state.hpp", "likewise"),
     (r"experiments/external/harness", "core/evaluate/kernel/kernel_of.hpp", "a method of a user's program becomes a kernel as ours do"),
     (r"experiments/peers/", "core/arc_length/kernel.hpp", "likewise"),
     (r"experiments/peers/", "core/project/kernel.hpp", "likewise"),
     (r"experiments/peers/", "core/evaluate/kernel/kernel_of.hpp", "an adapter becomes a kernel by the step that our methods take"),
 ]
 
-# The first prefix that matches names the package.
-PACKAGES = [
-    ("Eigen/", "Eigen"),
-    ("unsupported/Eigen/", "Eigen"),
-    ("boost/multiprecision/gmp", "GMP/MPFR"),
-    ("boost/multiprecision/mpf", "GMP/MPFR"),
-    ("boost/multiprecision/", "Boost.Multiprecision"),
-    ("boost/math/", "Boost.Math"),
-    ("gmp", "GMP/MPFR"),
-    ("toml++/", "toml++"),
-    ("Random123/", "Random123"),
-    ("benchmark/", "Google Benchmark"),
-    ("nlohmann/", "nlohmann/json"),
-    ("pugixml", "pugixml"),
-    ("ft2build", "FreeType"),
-    ("freetype/", "FreeType"),
-    ("openssl/", "OpenSSL"),
-    ("CLI/", "CLI11"),
-    ("valgrind/", "Valgrind"),
-    ("oneapi/", "oneTBB"),
-    ("hwy/", "Highway"),
-    ("fmt/", "{fmt}"),
-    ("2geom/", "2geom"),
-    ("opencascade/", "Open CASCADE"),
-    ("sisl", "SISL"),
-    ("gsl/", "GSL"),
-    ("stddef.h", "C"),
-    ("stdint.h", "C"),
-    ("sys/", "POSIX"),
-    ("linux/", "POSIX"),
-    ("gnu/", "POSIX"),
-    ("bezierbench/", "bezierbench"),
-    ("build_facts.hpp", "CMake"),
-    ("git_facts.hpp", "CMake"),
-    ("tables_schema.hpp", "CMake"),
-    ("peer_roster.hpp", "CMake"),
-]
-PACKAGES += [
-    (f"{name}.h", "POSIX")
-    for name in (
-        "dlfcn errno fcntl fnmatch signal stdlib time unistd"
-    ).split()
-]
+# How headers of a package begin. The first package that fits counts.
+PACKAGES = {
+    "Eigen": ("Eigen/", "unsupported/Eigen/"),
+    "GMP/MPFR": ("boost/multiprecision/gmp", "boost/multiprecision/mpf", "gmp"),
+    "Boost.Multiprecision": ("boost/multiprecision/",),
+    "Boost.Math": ("boost/math/",),
+    "toml++": ("toml++/",),
+    "Random123": ("Random123/",),
+    "Google Benchmark": ("benchmark/",),
+    "nlohmann/json": ("nlohmann/",),
+    "pugixml": ("pugixml",),
+    "FreeType": ("ft2build", "freetype/"),
+    "OpenSSL": ("openssl/",),
+    "CLI11": ("CLI/",),
+    "Valgrind": ("valgrind/",),
+    "oneTBB": ("oneapi/",),
+    "Highway": ("hwy/",),
+    "{fmt}": ("fmt/",),
+    "2geom": ("2geom/",),
+    "Open CASCADE": ("opencascade/",),
+    "SISL": ("sisl",),
+    "GSL": ("gsl/",),
+    "C": ("stddef.h", "stdint.h"),
+    "POSIX": ("sys/", "linux/", "gnu/", "dlfcn.h", "errno.h", "fcntl.h", "fnmatch.h", "signal.h", "stdlib.h", "time.h", "unistd.h"),
+    "bezierbench": ("bezierbench/",),
+    "CMake": ("build_facts.hpp", "git_facts.hpp", "tables_schema.hpp", "peer_roster.hpp"),
+}
 
 # core is pure functions: no input or output, no clock, no random numbers, no threads.
 IMPURE = set(
@@ -171,7 +154,7 @@ def allowed_to(path):
 
 
 def package_of(header):
-    return next((package for prefix, package in PACKAGES if header.startswith(prefix)), None)
+    return next((package for package, begins in PACKAGES.items() if header.startswith(begins)), None)
 
 
 def complaint(path, quote, header):
