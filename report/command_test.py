@@ -133,7 +133,7 @@ class Command(unittest.TestCase):
 
 
 TRAPPED = "import pathlib\npathlib.Path(__file__).with_suffix('.trapped').touch()\n"
-TRAPS = ("report", "tomllib", "csv", "json", "argparse", "matplotlib", "jinja2", "sitecustomize", "usercustomize", "isolated")
+TRAPS = ("report", "tomllib", "csv", "json", "argparse", "matplotlib", "jinja2", "sitecustomize", "usercustomize")
 
 
 def _lay_traps(folder):

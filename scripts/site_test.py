@@ -4,7 +4,6 @@
 method that PROGRAM lists. site_test.py PROGRAM --browser: the same site in headless Chromium, light and dark, on a screen and on a phone.
 Exit 77, with a line that says so, where pandoc or what --browser requires is missing."""
 import csv
-import importlib.util
 import shutil
 import subprocess
 import sys
@@ -14,13 +13,13 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 sys.dont_write_bytecode = True  # the source tree may be read-only
+from report.browser.check import SKIPPED, required  # noqa: E402
 from report.bundle import Bundle  # noqa: E402
 from report.site import check  # noqa: E402
 from report.site.methods import address  # noqa: E402
 from scripts.pages import answers, bundles  # noqa: E402
 from scripts.pages.program import rows_of  # noqa: E402
 
-SKIPPED = 77
 RENDERED = "pages/baseline/"  # written by the report's renderer and copied
 
 
@@ -45,28 +44,18 @@ def faults(site, program):
             yield f"{name}: without {words}"
 
 
-def browser():
-    """(what is missing, the arguments of page.mjs before the folder)"""
-    spec = importlib.util.spec_from_file_location("browser_check", ROOT / "report/browser/check.py")
-    check_of_pages = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(check_of_pages)
-    playwright = check_of_pages._playwright()
-    chromium = shutil.which("chromium") or shutil.which("chromium-browser")
-    axe = Path(playwright or "", "../axe-core/axe.min.js")
-    required = {"chromium": chromium, "node": shutil.which("node"), "playwright-core": playwright, "axe-core": axe.is_file()}
-    return [name for name, there in required.items() if not there], [playwright, axe, chromium]
-
-
 def main(program, in_browser):
-    missing, arguments = browser() if in_browser else ([], [])
-    if missing := missing + ["pandoc"] * (not shutil.which("pandoc")):
-        print(f"skipped: missing: {', '.join(missing)}")
+    if not shutil.which("pandoc"):
+        print("skipped: missing: pandoc")
+        return SKIPPED
+    tools = required() if in_browser else []
+    if tools is None:
         return SKIPPED
     with tempfile.TemporaryDirectory() as place:
         site = Path(place) / "with a blank"
         subprocess.run([ROOT / "scripts/site", site, "--program", program], check=True)
         if in_browser:
-            return subprocess.run(["node", ROOT / "report/site/page.mjs", *arguments, site], check=False).returncode
+            return subprocess.run(["node", ROOT / "report/site/page.mjs", *tools, site], check=False).returncode
         found = list(faults(site, program))
         pages = sum(1 for _ in site.rglob("*.html"))
     print(*found or [f"{pages} pages, every link and anchor resolves"], sep="\n")

@@ -5,7 +5,6 @@ Debian's package `chromium` has the first; `npm install playwright-core axe-core
 the others. Nothing else of this project needs any of them.
 """
 
-import importlib.util
 import os
 import shutil
 import subprocess
@@ -15,21 +14,23 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
+sys.path.insert(0, str(ROOT))
 SKIPPED = 77
 TABLES, ROWS = 100, 1000
 
 
-def _playwright():
-    """The folder of playwright-core; None where there is none."""
+def required():
+    """The arguments of a check by Node: playwright-core, axe-core and Chromium. None where one is missing, which is printed."""
     places = [os.environ.get("BEZIERBENCH_PLAYWRIGHT", ""), *(str(ROOT / f"{build}/node_modules/playwright-core") for build in ("build/browser", "."))]
-    return next((place for place in places if place and (Path(place) / "package.json").is_file()), None)
-
-
-def _report():
-    spec = importlib.util.spec_from_file_location("isolated", HERE.parent / "isolated.py")
-    isolated = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(isolated)
-    isolated.load()
+    playwright = next((place for place in places if place and (Path(place) / "package.json").is_file()), "")
+    chromium = shutil.which("chromium") or shutil.which("chromium-browser")
+    axe = Path(playwright, "../axe-core/axe.min.js")
+    absent = [name for name, there in (("chromium", chromium), ("node", shutil.which("node")), ("playwright-core", playwright),
+                                       ("axe-core", axe.is_file())) if not there]
+    if absent:
+        print(f"skipped: missing: {', '.join(absent)}")
+        return None
+    return [playwright, str(axe), chromium]
 
 
 def _large(bundle, out):
@@ -45,14 +46,9 @@ def _large(bundle, out):
 
 
 def main():
-    chromium = shutil.which("chromium") or shutil.which("chromium-browser")
-    axe = Path(_playwright() or ".").parent / "axe-core/axe.min.js"
-    absent = [name for name, there in (("chromium", chromium), ("node", shutil.which("node")), ("playwright-core", _playwright()),
-                                   ("axe-core", axe.is_file())) if not there]
-    if absent:
-        print(f"skipped: missing: {', '.join(absent)}")
+    tools = required()
+    if not tools:
         return SKIPPED
-    _report()
     from report import fixture
     from report.bundle import Bundle
     from report.__main__ import main as render
@@ -63,7 +59,7 @@ def main():
         _large(Bundle(bundle), f"{place}/large")
         if code := render([str(ROOT / "results/atlas/speed"), "--out", f"{place}/real"]):
             return code
-        done = subprocess.run(["node", str(HERE / "page.mjs"), _playwright(), str(axe), chromium, f"{place}/page", f"{place}/large", f"{place}/real"], check=False)
+        done = subprocess.run(["node", str(HERE / "page.mjs"), *tools, f"{place}/page", f"{place}/large", f"{place}/real"], check=False)
         return done.returncode
 
 
