@@ -58,20 +58,6 @@ def basis(knots, degree, span, t):
     return {i: value(i, degree) for i in range(span - degree, span + 1)}
 
 
-def solved(matrix):
-    """The solution of a system of linear equations, right-hand sides in the last columns."""
-    rows = [list(row) for row in matrix]
-    n = len(rows)
-    for k in range(n):
-        pivot = next(i for i in range(k, n) if rows[i][k])
-        rows[k], rows[pivot] = rows[pivot], rows[k]
-        rows[k] = [x / rows[k][k] for x in rows[k]]
-        for i in range(n):
-            if i != k and rows[i][k]:
-                rows[i] = [x - rows[i][k] * y for x, y in zip(rows[i], rows[k])]
-    return [row[n:] for row in rows]
-
-
 def bernstein_of_basis(knots, degree, span):
     """For each control point of the span, its weights of the control points of the B-spline curve."""
     a, c = Fraction(knots[span]), Fraction(knots[span + 1])
@@ -81,7 +67,7 @@ def bernstein_of_basis(knots, degree, span):
         values = basis(knots, degree, span, a + s * (c - a))
         equations.append([math.comb(degree, k) * s**k * (1 - s)**(degree - k) for k in range(degree + 1)]
                          + [values[i] for i in sorted(values)])
-    return solved(equations)
+    return exact.solved(equations)
 
 
 def span_of(knots, degree, points, t):

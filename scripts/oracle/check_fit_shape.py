@@ -20,6 +20,7 @@ import sys
 from pathlib import Path
 
 import judging
+from exact import point_at
 
 METHODS = ("schneider", "gauss_newton")
 OUTLINES = Path(__file__).resolve().parents[2] / "reference/curves/glyph_outlines.csv"
@@ -34,13 +35,6 @@ REPORTED = (  # paperjs/paper.js#414, #620; soswow/fit-curve#8; fontforge/fontfo
     (4, ((0, 0), (1, 0), (100, 0), (99, 0), (98, 1))),
     (1, ((0, 0), (1, -8), (0, -8), (0, -1))),
 )
-
-
-def point_at(control, t):
-    """The point of a Bezier curve of any degree."""
-    while len(control) > 1:
-        control = [tuple((1 - t) * x + t * y for x, y in zip(p, q)) for p, q in zip(control, control[1:])]
-    return control[0]
 
 
 def lines(draw):

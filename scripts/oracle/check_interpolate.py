@@ -13,36 +13,13 @@ import sys
 from fractions import Fraction
 
 import judging
+from exact import solved
 from judging import integers, uniform
 
 # The largest accepted error of a control point, in u max|K|: sqrt(3) is proved; the other method has no bound.
 METHODS = {"c2_natural": 1.74, "c2_natural_handles": 12}
 RESIDUALS = 8  # largest accepted residual of c2_natural, in u max|K|
 SMALLEST = Fraction(1, 2**1074)
-
-
-def eliminate(rows):
-    """The solution of the rows ({unknown: coefficient}, right-hand side) of a regular system."""
-    solved = []
-    rows = [(dict(left), right) for left, right in rows]
-    while rows:
-        left, right = rows.pop(0)
-        if not left:
-            raise ValueError("the system is singular")
-        pivot = min(left)
-        factor = left[pivot]
-        left, right = {j: a / factor for j, a in left.items()}, right / factor
-        solved.append((pivot, left, right))
-        for i, (other, value) in enumerate(rows):
-            if pivot not in other:
-                continue
-            by = other[pivot]
-            new = {j: other.get(j, 0) - by * left.get(j, 0) for j in {*other, *left}}
-            rows[i] = ({j: a for j, a in new.items() if a}, value - by * right)
-    values = {}
-    for pivot, left, right in reversed(solved):
-        values[pivot] = right - sum(a * values[j] for j, a in left.items() if j != pivot)
-    return [values[j] for j in range(len(values))]
 
 
 def conditions(n):
@@ -60,20 +37,26 @@ def conditions(n):
     yield "natural", None, {4 * n - 3: one, 4 * n - 2: -2 * one, 4 * n - 1: one}
 
 
-def judge(points, found, method):
+def truth(points):
+    """The control points of every segment, one after the other."""
+    n = len(points) - 1
+    return solved([[left.get(j, Fraction(0)) for j in range(4 * n)] + [Fraction(0 if k is None else x) for x in points[k or 0]]
+                   for _, k, left in conditions(n)])
+
+
+def judge(points, exact, found, method):
     """Yields what is wrong with the values of one axis, one line each."""
     points, found = [Fraction(x) for x in points], [Fraction(x) for x in found]
     size = max(map(abs, points))
     unit = size / 2**53
-    rows = [(left, Fraction(0) if k is None else points[k]) for _, k, left in conditions(len(points) - 1)]
-    for at, (exact, value) in enumerate(zip(eliminate(rows), found, strict=True)):
+    for at, (right, value) in enumerate(zip(exact, found, strict=True)):
         limit = METHODS[method] * unit + SMALLEST if at % 4 in (1, 2) else 0
-        if abs(value - exact) > limit:
-            yield f"P{at % 4} of segment {at // 4} is {float(value)}, not {float(exact)}"
+        if abs(value - right) > limit:
+            yield f"P{at % 4} of segment {at // 4} is {float(value)}, not {float(right)}"
     if method != "c2_natural":
         return
-    for (kind, _, _), (left, right) in zip(conditions(len(points) - 1), rows):
-        residual = abs(sum(a * found[j] for j, a in left.items()) - right)
+    for kind, k, left in conditions(len(points) - 1):
+        residual = abs(sum(a * found[j] for j, a in left.items()) - (0 if k is None else points[k]))
         if residual > RESIDUALS * unit + 6 * SMALLEST:
             yield f"a residual of {kind} is {float(residual / unit) if unit else math.inf} units"
 
@@ -119,20 +102,21 @@ def cases(seed):
             yield f"{kind.__name__} {n}", kind(draw, n, 1 + draw.randrange(3))
 
 
-def judge_spline(program, points, method):
+def judge_spline(program, points, exact, method):
     rows, _ = program.ask("interpolate", "--points", points, "--method", method)
     if [(row["segment"], row["index"]) for row in rows] != [(str(i), str(j)) for i in range(len(points) - 1) for j in range(4)]:
         yield "rows of other segments than asked for"
         return
-    for axis, coordinates in zip("xyz", zip(*points)):
-        for line in judge(coordinates, [float(row[axis]) for row in rows], method):
+    for axis, coordinates, right in zip("xyz", zip(*points), zip(*exact)):
+        for line in judge(coordinates, right, [float(row[axis]) for row in rows], method):
             yield f"axis {axis}: {line}"
 
 
 def questions(program, seed):
     for name, points in cases(seed):
+        exact = truth(points)
         for method in METHODS:
-            yield f"{method}, {name}", judge_spline(program, points, method)
+            yield f"{method}, {name}", judge_spline(program, points, exact, method)
 
 
 if __name__ == "__main__":

@@ -14,7 +14,10 @@ import sys
 from decimal import Decimal, getcontext
 from fractions import Fraction
 
+import numpy
+
 import judging
+from exact import to_power
 from judging import collinear, constant, cusp, integers, straight, uniform
 
 LENGTH = "method,length,error_estimate,evaluations,converged,exact,error".split(",")
@@ -52,11 +55,6 @@ def times(p, q):
     return product
 
 
-def to_power(b):
-    n = len(b) - 1
-    return [math.comb(n, j) * sum((-1) ** (j - i) * math.comb(j, i) * Fraction(b[i]) for i in range(j + 1)) for j in range(n + 1)]
-
-
 def hodograph(points, weights):
     """A' W - A W' of each axis and W as power coefficients, exactly, ascending; Fractions. W is 1 without weights."""
     denominator = to_power(weights) if weights else [Fraction(1)]
@@ -81,20 +79,12 @@ def derivative(coefficients):
 
 
 def roots_of(coefficients):
-    """All complex roots, in double precision, by the iteration of Weierstrass, Durand and Kerner."""
+    """All complex roots, in double precision."""
     largest = max(map(abs, coefficients), default=0) or 1
     scaled = [float(c / largest) for c in coefficients]
     while scaled and abs(scaled[-1]) < 1e-14:
         scaled.pop()
-    roots = [(0.4 + 0.9j) ** k for k in range(len(scaled) - 1)]
-    for _ in range(400):
-        for i, z in enumerate(roots):
-            value = horner(scaled, z) / scaled[-1]
-            for j, other in enumerate(roots):
-                if j != i:
-                    value /= z - other if z != other else 1e-8
-            roots[i] = z - value
-    return roots
+    return [complex(root) for root in numpy.roots(scaled[::-1])]
 
 
 def cuts(square, denominator):

@@ -14,6 +14,7 @@ import sys
 from fractions import Fraction
 
 import judging
+from exact import point_at
 from judging import constant, graded, integers, mirrored, straight, uniform
 
 COLUMNS = "method,t,distance,candidates,exact_t,exact_distance,error".split(",")
@@ -21,13 +22,6 @@ GRID = 128
 ALWAYS = {"quintic_isolate", "quintic_companion", "quintic_durand_kerner", "quintic_jenkins_traub", "subdivide_hull", "scan_bisect",
           "scan_refine", "scan_length", "seed_004_scan", "seed_004_subdivide"}
 RATIONAL = {"subdivide_hull", "scan_bisect", "scan_refine"}
-
-
-def point_at(points, t):
-    """The point at t by de Casteljau's algorithm in rationals."""
-    while len(points) > 1:
-        points = [[(1 - t) * a + t * b for a, b in zip(p, q)] for p, q in zip(points, points[1:])]
-    return points[0]
 
 
 def on_curve(lifted, t):

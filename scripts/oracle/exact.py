@@ -75,6 +75,27 @@ def p_tilde(terms, coefficients, weights=None):
     return _sum(terms, coefficients, weights, abs)
 
 
+def point_at(points, t):
+    """The point at t of a Bezier curve by de Casteljau's algorithm, in the arithmetic of the numbers given."""
+    while len(points) > 1:
+        points = [[(1 - t) * a + t * b for a, b in zip(p, q)] for p, q in zip(points, points[1:])]
+    return points[0]
+
+
+def solved(matrix):
+    """The solution of a system of linear equations in Fractions, right-hand sides in the last columns."""
+    rows = [list(row) for row in matrix]
+    n = len(rows)
+    for k in range(n):
+        pivot = next(i for i in range(k, n) if rows[i][k])
+        rows[k], rows[pivot] = rows[pivot], rows[k]
+        rows[k] = [x / rows[k][k] for x in rows[k]]
+        for i in range(n):
+            if i != k and rows[i][k]:
+                rows[i] = [x - rows[i][k] * y if y else x for x, y in zip(rows[i], rows[k])]
+    return [row[n:] for row in rows]
+
+
 # Conversions, by their definitions.
 
 

@@ -15,8 +15,11 @@ import io
 import math
 import sys
 import tomllib
+from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
+
+from exact import to_bernstein
 
 ROOT = Path(__file__).resolve().parents[2]
 SUITES = [ROOT / f"experiments/suites/{name}.toml" for name in ("report", "conditioning", "derivative", "inverse_arc_length")]
@@ -55,27 +58,11 @@ def fnv1a(text):
 
 def shortest(x):
     """The text that std::to_chars(double) writes: shortest digits, fixed notation unless scientific is shorter."""
-    sign = "-" if str(x).startswith("-") else ""
-    if x == 0:
-        return sign + "0"
-    mantissa, exponent = f"{abs(x)!r}", 0
-    if "e" in mantissa:
-        mantissa, e = mantissa.split("e")
-        exponent = int(e)
-    whole, _, part = mantissa.partition(".")
-    digits = (whole + part).lstrip("0")
-    # value = 0.DIGITS * 10^point
-    point = exponent + len(whole) if whole != "0" else exponent - (len(part) - len(part.lstrip("0")))
-    digits = digits.rstrip("0")
-    e = point - 1
-    scientific = digits[0] + ("." + digits[1:] if len(digits) > 1 else "") + f"e{'-' if e < 0 else '+'}{abs(e):02d}"
-    if point <= 0:
-        fixed = "0." + "0" * -point + digits
-    elif point >= len(digits):
-        fixed = str(int(abs(x)))  # all digits of a whole number, as printf writes them
-    else:
-        fixed = digits[:point] + "." + digits[point:]
-    return sign + (fixed if len(fixed) <= len(scientific) else scientific)
+    value = Decimal(repr(float(abs(x)))).normalize()
+    mantissa, exponent = f"{value:e}".split("e")
+    whole = value.as_tuple().exponent >= 0
+    fixed = str(int(abs(x))) if whole else f"{value:f}"  # all digits of a whole number, as printf writes them
+    return ("-" if math.copysign(1, x) < 0 else "") + min(fixed, f"{mantissa}e{int(exponent):+03d}", key=len)
 
 
 def canonical(cell):
@@ -249,15 +236,10 @@ def power_coefficients(leading, roots):
     return coefficients
 
 
-def bernstein_coefficients(power):
-    n = len(power) - 1
-    return [sum(Fraction(math.comb(i, j), math.comb(n, j)) * power[j] for j in range(i + 1)) for i in range(n + 1)]
-
-
 def polynomial(curve, leading, roots):
     """The coefficients in the form of the curve, which must be doubles."""
     power = power_coefficients(leading, roots)
-    exact = power if curve == "power" else bernstein_coefficients(power)
+    exact = power if curve == "power" else to_bernstein(power)
     doubles = [float(c) for c in exact]
     if [Fraction(c) for c in doubles] != exact:
         raise SystemExit(f"inputs.py: a {curve} curve of degree {len(roots)} is not exact in doubles; lower the limit "
