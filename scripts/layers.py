@@ -91,6 +91,7 @@ ADDITIONS = [
     (r"experiments/peers/", "core/evaluate/kernel/kernel.hpp", "a peer is handed over as what the harness sees of any method"),
     (r"experiments/peers/.*models", "reference/curves", "models are read as any file of curves is"),
     (r"experiments/peers/adapters/occt_models", "reference/companion/bspline_control_points.hpp", "their B-splines are cut by exact arithmetic"),
+    (r"experiments/external/", "core/evaluate/kernel/prepared_state.hpp", "external code evaluates a kernel as the harness does"),
     (r"experiments/external/", "core/evaluate/kernel/kernel.hpp", "external code is handed over as what the harness sees"),
     (r"experiments/external/harness", "core/evaluate/kernel/kernel_of.hpp", "a method of a user's program becomes a kernel as ours do"),
     (r"experiments/peers/", "core/arc_length/kernel.hpp", "likewise"),
