@@ -7,7 +7,10 @@ target_compile_features(numerics INTERFACE cxx_std_20)
 set(BEZIERBENCH_FP_FLAGS -fno-fast-math -ffp-contract=off)
 target_compile_options(numerics INTERFACE ${BEZIERBENCH_FP_FLAGS} -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  target_compile_options(numerics INTERFACE -Wno-stringop-overflow -Wno-array-bounds -Wno-restrict) # GCC 12 imagines negative degrees
+  target_compile_options(numerics INTERFACE -Wno-stringop-overflow -Wno-array-bounds -Wno-restrict) # GCC imagines negative degrees
+  if(CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+    target_compile_options(numerics INTERFACE -Wno-maybe-uninitialized) # likewise; what GCC 12 says of it has been true
+  endif()
   # No other library replaces a function of ours, so position-independent code may be inlined as in a program.
   target_compile_options(numerics INTERFACE -fno-semantic-interposition)
 endif()
