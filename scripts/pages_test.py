@@ -21,7 +21,7 @@ MOST_OF_A_SAMPLE = 200 * 2**10  # bytes of a bundle; the pages of all 20 would t
 
 
 def words(path):
-    """What a reader finds in a file; of a picture its labels, but for the numbers of its axes."""
+    """What a reader finds in a file; of a picture its labels, except for the numbers of its axes."""
     text = path.read_text(encoding="utf-8")
     return re.findall(r"<text[^>]*>(?!-?[\d.]+(?:e-?\d+)?<)([^<]*)</text>", text) if path.suffix == ".svg" else text
 
