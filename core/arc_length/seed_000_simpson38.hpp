@@ -2,7 +2,7 @@
 // Formula: Simpson's 3/8 rule S on a panel and on its halves, as the code of [Document 000] has it: where
 //   |S_left + S_right - S| <= 15 eps it takes S_left + S_right + (S_left + S_right - S)/15, and elsewhere it halves the
 //   panel and eps.
-// Source: the function `adaptive_simpson_3_8`; a baseline for adaptive_simpson38. Two things differ. eps, which the
+// Source: the document's `adaptive_simpson_3_8`, a baseline for adaptive_simpson38. Two things differ. eps, which the
 //   document leaves to the caller, is the tolerance times the first S. Panels whose sums agree to 4 u, or which are
 //   narrower than 2^-30, are not halved: there the document's recursion need not end.
 // Cost: as printed; 3 speeds would do, since 4 of the 7 abscissae are those of the panel.

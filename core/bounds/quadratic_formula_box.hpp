@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: with c_j the power coefficients, the roots t of c_1 + 2 c_2 t + 3 c_3 t^2 by q = -(b + sign(b) sqrt(b^2 - 4
 //   a c)) / 2, t = q / a and c / q; p(t) by Horner's rule for each t in (0, 1). The ends are exact.
-// Source: with `margin`, as there, each extremum counts as p(t) -+ ulp(|c_0| + |c_1| + |c_2| + |c_3|). A quadratic
+// Source: with `margin`, as in OpenJDK, each extremum counts as p(t) -+ ulp(|c_0| + |c_1| + |c_2| + |c_3|). A quadratic
 //   follows accumulateExtremaBoundsForQuad.
 // Bound: none is proved, although the margin is meant to cover the roundings.
 // Fails: the box may be too small by the roundings of c_j, t and p(t); b^2 - 4 a c may overflow, underflow or cancel.

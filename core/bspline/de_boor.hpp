@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: d_i = ((u_(i+n) - t) d_i + (t - u_(i+r-1)) d_(i+1)) / (u_(i+n) - u_(i+r-1)) for i = 0..n-r, level r = 1..n;
 //   p(t) = d_0.
-// Source: with a quotient for each weight.
+// Source: here with a quotient for each weight.
 // Bound: gamma_5n p~. A level multiplies a path from a control point to the result by a weight, which has three
 //   roundings, and adds a product and a sum. All weights are >= 0 for t in the span, so that the paths from d_i sum to
 //   N_i(t). A weight may lose eta/2 by underflow, times a point, and a product eta/2: eta (1 + max|d|) a level.

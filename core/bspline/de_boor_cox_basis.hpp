@@ -2,7 +2,7 @@
 // Formula: p(t) = sum d_i N_i^n(t), with N_0^0 = 1 and, for r = 1..n and i = 0..r,
 //     N_i^r = (t - u_(n-r+i-1)) / (u_(n+i-1) - u_(n-r+i-1)) N_(i-1)^(r-1)
 //           + (u_(n+i) - t) / (u_(n+i) - u_(n-r+i)) N_i^(r-1), without the term of an N that does not exist.
-// Cost: the first part does not depend on the control points.
+// Cost: the flops without d do not depend on the control points.
 // Bound: gamma_(6n+1) p~. A basis function has five roundings a level (`basis_functions`), a term of the sum one for
 //   its product and up to n for the additions. Underflow: each of the 2r weights of level r has an error of at most
 //   eta/2, times N_i^(r-1), whose sum is 1, and each of its 2r products one of eta/2: over all levels n(n+3)/2 eta,

@@ -5,8 +5,8 @@
 //   To power form about t = 1/2: q_j = C(n,j) 2^(j-n) sum_i C(n-j,i) D^j b_i, a dyadic rational.
 //   To Bernstein form: b_i = (1/n!) sum_j C(i,j) j! (n-j)! q_j, a rational with denominator n!.
 // Cost: n^2/2 operations on big integers, each far dearer than a flop of the other conversions. On integers of O(n)
-//   bits sums make that O(n^3) to power form, products O(n^4) about t = 1/2; n! has O(n log n) bits, so the n products
-//   with j! (n-j)! take O(n^3 log^2 n) to Bernstein form, and sums less.
+//   bits that is O(n^3) to power form, by sums, and O(n^4) about t = 1/2, by products. To Bernstein form n! has
+//   O(n log n) bits, so that the n products with j! (n-j)! take O(n^3 log^2 n); the sums take less.
 // Bound: u |coefficient|, one rounding each; u^2 |coefficient| in double-double.
 // Fails: only where the rounded coefficient overflows, so power form ends at degree 640 (76 in float). But a correctly
 //   rounded power coefficient already carries the error that ruins power form at high degree.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: the differences of [Document 000] as printed: every one of the k passes runs over i = 0..n-k, where pass m
 //   must run over i = 0..n-m. They are right for k = 0 and 1 only.
-// Source: the function `at`; a baseline for the corrected loop.
+// Source: the document's function `at`, kept as a baseline for the corrected loop.
 // Cost: once d k (n-k+1) flops.
 // Bound: none.
 // Fails: from the second derivative on. Points (1,1) (3,1) (4,2) (6,3), t = 1/2: C'' = (6,6), the truth is (0,3). The

@@ -7,7 +7,7 @@
 //   a sum of squares falls slowly while handles grow without end. So a segment that keeps the promise is given up only
 //   for one that keeps it, too, with half the error: samples of a cubic lead to that cubic, noise ends the search.
 // Source: the Jacobian is that of [Kaufman 1975]; damping by [Marquardt 1963].
-// Cost: at most 3 times 64 steps, for m points. Of more than 513 points a sample of 513 is fitted first, and all of
+// Cost: three starts of at most 64 steps each. Of more than 513 points a sample of 513 is fitted first, and all of
 //   them from that result where it keeps the tolerance.
 // Bound: none of the fit itself; piecewise.hpp bounds the distance of every data point from the result. Where the data
 //   are samples of a cubic, this cubic is a minimum of 0, to which steps converge quadratically from nearby. The first

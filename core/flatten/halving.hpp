@@ -6,7 +6,7 @@
 //   length: (polygon)^2 - (chord)^2 <= E^2.
 // Source: distance: [Lane and Riesenfeld 1980]. area: [Mononen 2013], nvg__tesselateBezier. angle: [Shemanarev 2005],
 //   its curve4_div. length: [Barrett 2009], stbtt__tesselate_cubic.
-// Cost: for each halving.
+// Cost: the flops are those of one halving.
 // Bound: distance keeps the tolerance, apart from roundings. The others look at lines, not at chords: a curve that
 //   turns back along its chord is flat to them.
 //   Rational curves are halved in homogeneous coordinates, and a piece with weights of two signs is never flat: its

@@ -3,8 +3,8 @@
 //   2 P1,0 + P1,1 = K_0 + 2 K_1,  P1,(i-1) + 4 P1,i + P1,(i+1) = 4 K_i + 2 K_(i+1),
 //   2 P1,(n-2) + 7 P1,(n-1) = 8 K_(n-1) + K_n,
 //   then P2,i = 2 K_(i+1) - P1,(i+1) and P2,(n-1) = (K_n + P1,(n-1)) / 2.
-// Source: its system is right. Its last formula, P2,i = 2 K_i - P1,i, has both indices on the right too low by one; it
-//   is corrected here. A single segment, for which it has no equation, is straight.
+// Source: the document's system is right. Its last formula, P2,i = 2 K_i - P1,i, has both indices on the right too low
+//   by one; it is corrected here. A single segment, for which it has no equation, is straight.
 // Bound: none; the solution is not refined.
 // Fails: far from the origin: handles have the size of the points, so that they lose the digits in which neighbouring
 //   points differ.

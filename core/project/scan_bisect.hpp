@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Formula: the nearest of 26 samples, then bisection between its neighbours: the middle k moves towards the nearer of
 //   k - e and k + e until the interval is no longer than e.
-// Source: the first answer (closestPoint and localMinimum). Three things differ: k +- e stay in [0, 1], e is 2^-26, and
-//   k is polished. The answer's e of 1e-4 leaves an error of this size in t; with an e below about 1e-8 the two
-//   distances agree in all digits, so that their comparison is decided by rounding.
+// Source: the document's first answer (closestPoint and localMinimum). Three things differ: k +- e stay in [0, 1], e is
+//   2^-26, and k is polished. The answer's e of 1e-4 leaves an error of this size in t; with an e below about 1e-8 the
+//   two distances agree in all digits, so that their comparison is decided by rounding.
 // Bound: polished_residual_bound of (C - P).C' at t inside (0, 1).
 // Fails: it finds one local minimum, that of the nearest sample. (8,5) (-4,0) (6,3) (9,7) and P = (6,4) give t = 0.7459
 //   at the distance 0.3085, and the nearest point is at t = 0.064530, distance 0.141664.

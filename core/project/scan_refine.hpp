@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Formula: repeated slicing: the nearest of 17 samples, then of 17 samples between its neighbours, and so on until the
 //   interval is shorter than 2^-52.
-// Source: the second answer, whose recursive form leaves both numbers to the caller. Two things differ: samples are
-//   multiples of a slice, not sums of it, so that the last is the end of the interval; and t is polished, since
-//   distances that are compared squared leave it half of its digits.
+// Source: the document's second answer, whose recursive form leaves both numbers to the caller. Two things differ:
+//   samples are multiples of a slice, not sums of it, so that the last is the end of the interval; and t is polished,
+//   since distances that are compared squared leave it half of its digits.
 // Bound: polished_residual_bound of (C - P).C' at t inside (0, 1).
 // Fails: it finds one local minimum, as scan_bisect.
 #pragma once

@@ -2,8 +2,8 @@
 // Formula: the nearest of 26 samples, then bisection between its neighbours, as the code of [Document 004] has it: the
 //   middle k moves towards the nearer of k - e and k + e, e = 1e-4, until the interval is no longer than e. The last k
 //   is the answer.
-// Source: closestPoint and localMinimum; a baseline for scan_bisect. Samples are tried from t = 1 down, so that of
-//   equally near ones the last is taken. k - e and k + e may leave [0, 1].
+// Source: the document's closestPoint and localMinimum, a baseline for scan_bisect. Samples are tried from t = 1 down,
+//   so that of equally near ones the last is taken. k - e and k + e may leave [0, 1].
 // Bound: none. k is off by up to about 1e-4 from the local minimum, also from one at an end.
 // Fails: as scan_bisect it finds one local minimum. On the curve the distance is not 0 but of the order of 1e-4 of the
 //   speed. A smaller e does not help: with e below about 1e-8 both distances agree in all digits.

@@ -3,8 +3,8 @@
 //     g_k = sum_(i+j=k) C(n,i) C(n,j) / C(2n,k) (b_i - P).(b_j - P),
 //   the least coefficient is a lower bound on the piece, and its ends give upper bounds. The least g_k is never below
 //   the squared distance of the convex hull where that is positive; it is close to it and converges quadratically.
-// Source: the third answer's bound is wrong: the distance of a control polygon's vertices is not a lower bound. [Chen
-//   et al. 2007] clip by the coefficients of |C - P|^2.
+// Source: the bound of the document's third answer is wrong: the distance of a control polygon's vertices is not a
+//   lower bound. [Chen et al. 2007] clip by the coefficients of |C - P|^2.
 // Cost: some 100 pieces.
 // Bound: polished_residual_bound of (C - P).C' at t inside (0, 1). A piece is dropped only where it cannot be nearer
 //   than the best parameter by more than its rounding errors: 2c u of the distance, c = d (5n + d + 5), and those of

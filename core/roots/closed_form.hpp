@@ -9,7 +9,7 @@
 //                double root (-d_2 : 2 d_1), too. A root at an end is divided out.
 // Source: [Kahan 2004], the discriminant; [Blinn 2007], the cubic; the double root and the line are derived here.
 // Cost: 6 for a line, about 60 and about 300, square roots and quotients among them. Thirds of angles and cube roots
-//   come by Newton's method, so that no library decides their bits.
+//   are computed by Newton's method, so that no library decides their bits.
 // Bound: none.
 // Fails: a root outside [0, 1] by a rounding is lost; a double root of a cubic becomes two, one or none where the
 //   roundings hide D' = 0.

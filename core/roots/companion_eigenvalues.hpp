@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formula: power coefficients q_j = C(n,j) D^j b_0 (D the forward difference), without those at the end that are 0; the
 //   eigenvalues of their companion matrix, of which those within 1e-9 of [0, 1] are roots, moved onto it.
-// Source: numpy.roots and MATLAB's roots have the same matrix.
+// Source: numpy.roots and MATLAB's roots take the eigenvalues of the same matrix.
 // Bound: none.
 // Fails: coefficients and eigenvalues are off by u of the largest power coefficient, which the conversion makes up to
 //   3^n times as large; a double root becomes a pair off the axis, or two roots.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Formula: t <- t - d |C'| / (d |C''| + |C'|^2), d = s(t) - S: Newton's iteration for the minimum of d^2, as the code
 //   of [Document 000] has it.
-// Source: the code below eq. (20). With g = d^2 it takes g'/2 and, for g''/2, |C''| where the acceleration along the
-//   curve C'.C''/|C'| belongs. The formulas above it, eq. (19), (20), also lack a factor 2, and taken as printed they
-//   do not converge. Lengths are measured here by adaptive Gauss-Legendre rules, so that the iteration alone is judged.
-//   The document's start is t = S / s(1). Its limits of iterations and of |d|, which it leaves open, are 50 and the
-//   tolerance.
+// Source: the document's code below eq. (20). With g = d^2 it takes g'/2 and, for g''/2, |C''| where the acceleration
+//   along the curve C'.C''/|C'| belongs. The formulas above it, eq. (19), (20), also lack a factor 2, and taken as
+//   printed they do not converge. Lengths are measured here by adaptive Gauss-Legendre rules, so that the iteration
+//   alone is judged. The document's start is t = S / s(1). Its limits of iterations and of |d|, which it leaves open,
+//   are 50 and the tolerance.
 // Bound: |s(t) - S|, with the errors of the quadratures and the roundings added.
 // Fails: nothing keeps t in [0, 1]; for d < 0 the denominator can vanish, and t jumps away. It gives up where t is
 //   not finite or farther out than 1024.

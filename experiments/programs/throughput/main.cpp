@@ -6,11 +6,12 @@
 #include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <cstddef>
 #include <exception>
 #include <string>
 #include <vector>
 
-#include "core/evaluate/kernel/prepared_state.hpp"
+#include "core/evaluate/kernel/kernel.hpp"
 #include "experiments/cli/startup/this_build.hpp"
 #include "experiments/failure.hpp"
 #include "experiments/judge/methods.hpp"
@@ -158,6 +159,13 @@ Comparison sweep_cost(const suite::Study& study) {
   std::vector<judge::TrialInputs<double>> inputs(count, {form, cell});
   for (std::size_t k = 0; k < count; ++k) inputs[k].draw(sampler, k);
 
+  struct alignas(64) Block {
+    std::array<std::byte, 64> bytes;
+  };
+  std::size_t size = 0;
+  for (const auto* kernel : kernels) size = std::max(size, kernel->prepared_size);
+  std::vector<Block> state(size / sizeof(Block) + 1);  // of each method in turn, so that no allocation is timed
+
   double sum = 0;  // keeps the work alive
   const auto bare = [&] {
     std::array<double, 3> point{};
@@ -165,7 +173,9 @@ Comparison sweep_cost(const suite::Study& study) {
       for (const auto* kernel : kernels) {
         if (!kernel->info->supports<double>(cell.degree)) continue;
         const double t = one.t();
-        PreparedState<double>(*kernel, one.curve()).evaluate({&t, 1}, point.data());
+        kernel->prepare(one.curve(), state.data());
+        kernel->evaluate_for(cell.degree)(state.data(), {&t, 1}, point.data());
+        if (kernel->destroy != nullptr) kernel->destroy(state.data());
         sum += point[0];
       }
   };
