@@ -40,4 +40,4 @@ if(BEZIERBENCH_TESTS)
 endif()
 
 bezierbench_system_library(random123 Random123/philox.h)
-bezierbench_system_library(highway hwy/highway.h hwy)
+bezierbench_system_library(highway hwy/highway.h)

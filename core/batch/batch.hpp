@@ -3,7 +3,6 @@
 // has the bits of the scalar kernel's.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -17,7 +16,7 @@ namespace bezierbench::batch {
 /// An instruction set that kernels were compiled for.
 struct Target {
   std::string_view name;
-  std::int64_t highway;  ///< its bit in Highway's mask of the targets of a processor
+  bool (*is_usable)();  ///< whether this processor can run it
   const TargetTable<float>* float_table;
   const TargetTable<double>* double_table;
   const WorksOfWidths<float>* float_works;
@@ -26,9 +25,6 @@ struct Target {
 
 /// All targets of this program, best first.
 std::span<const Target> built_targets();
-
-/// True if this processor can run the target.
-bool is_usable(const Target& target);
 
 /// The targets that this processor can run, best first.
 std::vector<const Target*> usable_targets();

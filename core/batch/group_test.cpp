@@ -91,7 +91,7 @@ constexpr auto any_group = [](const auto& /*kernel*/) { return true; };
 class GroupTarget : public testing::TestWithParam<std::size_t> {
  protected:
   void SetUp() override {
-    if (!is_usable(target())) GTEST_SKIP() << "this processor has no " << target().name;
+    if (!target().is_usable()) GTEST_SKIP() << "this processor has no " << target().name;
   }
   [[nodiscard]] static const Target& target() { return built_targets()[GetParam()]; }
 };
