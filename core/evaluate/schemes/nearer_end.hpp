@@ -41,16 +41,16 @@ class FromNearerEnd {
   const CurveT& curve_;
 };
 
-/// Of a view of all axes: from one end or the other by the sign of a step, which takes less than to choose each place.
-/// Where the degree is known compilers choose once for all places.
-template <Form F, ReadsCurves V>
-class FromNearerEnd<bool, Curve<F, V, 1, dynamic>> {
+/// Of a view of all axes: from one end or the other by the sign of a step. Up to degree 4 it takes less to choose each
+/// place; beyond, GCC 12 does so by a branch at some degrees, which no processor can guess for t at random.
+template <Form F, ReadsCurves V, int Degree>
+requires(Degree == dynamic || Degree > 4) class FromNearerEnd<bool, Curve<F, V, 1, Degree>> {
  public:
   using Scalar = V;
   static constexpr int dimension = 1;
-  static constexpr int fixed_degree = dynamic;
+  static constexpr int fixed_degree = Degree;
 
-  [[gnu::always_inline]] FromNearerEnd(bool from_start, const Curve<F, V, 1, dynamic>& curve)
+  [[gnu::always_inline]] FromNearerEnd(bool from_start, const Curve<F, V, 1, Degree>& curve)
       : first_(from_start ? curve.data() : curve.data() + static_cast<std::ptrdiff_t>(curve.degree()) * V::axes),
         step_(from_start ? V::axes : -V::axes),
         after_((curve.degree() + 1) * step_),
