@@ -36,7 +36,7 @@ if(c IN_LIST CPACK_COMPONENTS_ALL) # it lies in the other package, whose Python 
 endif()
 if(harness IN_LIST CPACK_COMPONENTS_ALL) # what it links
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS
-      "libbenchmark-dev, libfmt-dev, libhwy-dev, libssl-dev, libtbb-dev, libtomlplusplus-dev")
+      "libbenchmark-dev, libfmt-dev, libssl-dev, libtbb-dev, libtomlplusplus-dev")
 endif()
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "For C++: header-only methods with proved error bounds, and correctly rounded points.")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
