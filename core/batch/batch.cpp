@@ -22,8 +22,8 @@ constexpr Target target_of(std::string_view name, bool (*is_usable)()) {
           &WorksOf<Name, double>::table};
 }
 
-// The compiler's own question, not Highway's: its library executes `rdtscp` as soon as it is loaded, which a virtual
-// machine may not have, and Valgrind on it does not know.
+// Asked of the compiler, not of Highway: Highway's library executes `rdtscp` when it is loaded. Where a virtual machine
+// hides this instruction, Valgrind stops there.
 #if defined(__x86_64__)
 /// No processor has these without the rest of x86-64-v3, for which Clang 14 cannot ask.
 bool has_avx2() {
