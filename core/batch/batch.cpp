@@ -22,10 +22,10 @@ constexpr Target target_of(std::string_view name, bool (*is_usable)()) {
           &WorksOf<Name, double>::table};
 }
 
-// Asked of the compiler, not of Highway: Highway's library executes `rdtscp` when it is loaded. Where a virtual machine
-// hides this instruction, Valgrind stops there.
+// The compiler's builtin says what the processor has. Highway's library could say it as well, but it executes `rdtscp`
+// when it is loaded, and Valgrind stops there on a virtual machine that hides this instruction.
 #if defined(__x86_64__)
-/// No processor has these without the rest of x86-64-v3, for which Clang 14 cannot ask.
+/// A processor with these features has all of x86-64-v3, a name that Clang 14 does not know here.
 bool has_avx2() {
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") &&
          __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("aes") && __builtin_cpu_supports("pclmul");

@@ -139,7 +139,7 @@ struct Estrin : TakenAsGiven<Form::power> {
       .flops = "at most 2dn + log2 n",
       .citation = "[Estrin 1960]"};
   static constexpr LaneRegisters lanes{.per_axis = 0, .shared = 3};
-  static constexpr int largest_fixed_degree = 16;  ///< there, the code for every degree takes a sixth longer
+  static constexpr int largest_fixed_degree = 16;  ///< at 16, the code for every degree takes a sixth longer
 
   template <class Scalar, int Dimension, int Degree>
   static Point<Scalar, Dimension> evaluate(const Curve<Form::power, Scalar, Dimension, Degree>& curve, Scalar t) {
