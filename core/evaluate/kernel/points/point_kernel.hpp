@@ -38,9 +38,16 @@ constexpr int largest_fixed_degree() {
   return std::min(largest, BEZIERBENCH_LARGEST_FIXED_DEGREE);
 }
 
+// Under a sanitizer every call that is inlined brings its checks along, and a unit would compile for minutes.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define BEZIERBENCH_INLINE_ALL_CALLS
+#else
+#define BEZIERBENCH_INLINE_ALL_CALLS [[gnu::flatten]]
+#endif
+
 /// All axes side by side, the degree fixed or dynamic.
 template <class E, class S, int Dimension, int Degree>
-[[gnu::flatten]] void evaluate_side_by_side(const void* prepared, std::span<const S> t, S* points) {
+BEZIERBENCH_INLINE_ALL_CALLS void evaluate_side_by_side(const void* prepared, std::span<const S> t, S* points) {
   using State = PreparedOf<E, S, Dimension>;
   using A = Axes<S, detail::dimension_of<State>>;
   auto view = viewed_as<State, A, Degree>(parts_of(*static_cast<const State*>(prepared)));
