@@ -52,6 +52,11 @@ void work_begins(std::string_view line) {
   at_work.store(true, std::memory_order_relaxed);
 }
 
+void ends_by_itself() {
+  constexpr itimerspec never{};
+  ::timer_settime(time_left, 0, &never, nullptr);
+}
+
 bool interrupted() { return arrived.load(std::memory_order_relaxed); }
 
 }  // namespace bezierbench::run

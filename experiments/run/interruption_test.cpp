@@ -64,6 +64,18 @@ TEST(Interruption, EndsWorkThatDoesNotEndWithinASecond) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
 }
 
+TEST(Interruption, LeavesTimeToWhatEndsByItself) {
+  const int status = status_of([] {
+    work_begins("b: interrupted");
+    raise(SIGINT);
+    ends_by_itself();
+    sleep(1);
+    return 7;
+  });
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 7);
+}
+
 TEST(Interruption, TheSecondEndsWork) {
   const int status = status_of([] {
     work_begins("b: interrupted");

@@ -180,6 +180,7 @@ Outcome run(const RunRequest& request) {
   const double seconds = work(request, plan, checkpoints);
   if (interrupted()) {
     checkpoints.checkpoint();
+    ends_by_itself();
     throw Failure(Exit::interrupted, ending);
   }
   if (request.shard)
