@@ -9,7 +9,6 @@ import csv
 import functools
 import json
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -126,6 +125,7 @@ class Bundles(unittest.TestCase):
     """A run with every kind of study, which all tests look at."""
 
     fresh = None
+    uncounted = set()
 
     @classmethod
     def setUpClass(cls):
@@ -135,7 +135,10 @@ class Bundles(unittest.TestCase):
         unittest.addModuleCleanup(folder.cleanup)
         place = Path(folder.name)
         (place / "s.toml").write_text(suite(), encoding="utf-8")
-        subprocess.run([PROGRAM, "run", "s.toml", "--counts", "--quiet", "--out", "bundle"], cwd=place, check=True)
+        ended = subprocess.run([PROGRAM, "run", "s.toml", "--counts", "--quiet", "--out", "bundle"], cwd=place, check=True,
+                               stderr=subprocess.PIPE, text=True)
+        if "no counts: " in ended.stderr:
+            Bundles.uncounted = {"cost.csv"}
         Bundles.fresh = place / "bundle"
 
 
@@ -147,7 +150,7 @@ class TableSchema(Bundles):
         listed = subprocess.run([PROGRAM, "list", "studies", "--format", "csv"], capture_output=True, text=True, check=True)
         kinds = {study["kind"] for study in csv.DictReader(listed.stdout.splitlines())}
         self.assertEqual(kinds, {kind for kind, _, _ in STUDIES.values()})
-        self.assertEqual(set(tables(self.fresh)), set(SCHEMA["properties"]) - OF_OTHERS - (set() if shutil.which("valgrind") else {"cost.csv"}))
+        self.assertEqual(set(tables(self.fresh)), set(SCHEMA["properties"]) - OF_OTHERS - self.uncounted)
 
     def test_lists_of_the_program_travel_in_a_bundle(self):
         for topic in ("methods", "generators"):

@@ -24,6 +24,7 @@ FINE, FINDING, USAGE, ENVIRONMENT, INPUT_OUTPUT, INTERRUPTED = 0, 1, 2, 3, 4, 13
 CODE = Path(PROGRAM).read_bytes()
 # The thread sanitizer writes a file of its own before main.
 HAS_THREAD_SANITIZER = b"libtsan" in CODE
+CAN_COUNT = shutil.which("valgrind") and not HAS_THREAD_SANITIZER and b"libasan" not in CODE
 PATIENCE = 600  # seconds for a program to do what it should, on a busy machine, under a sanitizer: longer is a hang
 ADVICE = r"; |must|write|see|from|did you mean|is empty"
 

@@ -65,11 +65,9 @@ void leave_out_counts_without_valgrind(run::RunRequest& request) {
     for (auto& study : one.studies) {
       if (study.counts == suite::Counting::none || why.empty()) continue;
       if (study.counts == suite::Counting::only)
-        throw Failure(Exit::environment,
-                      "{}: counts instructions only, but {}; install valgrind and build again, or leave --counts out",
-                      study.id, why);
+        throw Failure(Exit::environment, "{}: counts instructions only, but {}, or leave --counts out", study.id, why);
       study.counts = suite::Counting::none;
-      if (!std::exchange(is_said, true)) say(fmt::format("no counts: {}; install valgrind and build again", why));
+      if (!std::exchange(is_said, true)) say(fmt::format("no counts: {}", why));
     }
 }
 

@@ -114,8 +114,11 @@ void add_cycles(std::vector<std::string>& files) {
 }  // namespace
 
 std::string why_uncounted() {
-  if (!folder_on_path(valgrind)) return "Valgrind is not installed";
-  return race::can_count() ? "" : "the program was built without Valgrind's headers";
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return "a program with sanitizers does not run under Valgrind; build preset release";
+#endif
+  if (!folder_on_path(valgrind)) return "Valgrind is not installed; install it and build again";
+  return race::can_count() ? "" : "the program was built without Valgrind's headers; install valgrind and build again";
 }
 
 std::vector<std::string> counts_by_callgrind() {

@@ -7,8 +7,8 @@
 
 namespace bezierbench::cli {
 
-/// Why instructions cannot be counted here: Valgrind is not installed, or was not when the program was built. Empty
-/// where they can be.
+/// Why instructions cannot be counted here, and what to do: Valgrind is not installed, or was not when the program was
+/// built, or the program has sanitizers. Empty where they can be.
 [[nodiscard]] std::string why_uncounted();
 
 /// Runs such a child and returns the files with its counts, and with the cycles that llvm-mca predicts from these where
