@@ -15,7 +15,8 @@ void watch_for_interruption();
 /// `line`; what was saved before is kept. A second signal ends it without a word.
 void work_begins(std::string_view line);
 
-/// Says that the program, having saved its results, ends by itself and writes the line: it has all the time it takes.
+/// Stops the timer that a signal started. To be called when the results are saved and the caller itself writes the line
+/// and ends the program, however long that takes.
 void ends_by_itself();
 
 /// True once a signal arrived.

@@ -7,8 +7,8 @@
 
 namespace bezierbench::cli {
 
-/// Why instructions cannot be counted here, and what to do: Valgrind is not installed, or was not when the program was
-/// built, or the program has sanitizers. Empty where they can be.
+/// Why this program cannot count instructions, and what to do about it: Valgrind is not installed, its headers were not
+/// there when the program was built, or the program has a sanitizer. Empty where it can count.
 [[nodiscard]] std::string why_uncounted();
 
 /// Runs such a child and returns the files with its counts, and with the cycles that llvm-mca predicts from these where

@@ -38,7 +38,7 @@ constexpr int largest_fixed_degree() {
   return std::min(largest, BEZIERBENCH_LARGEST_FIXED_DEGREE);
 }
 
-// Under a sanitizer every call that is inlined brings its checks along, and a unit would compile for minutes.
+// A sanitizer adds checks to each copy of an inlined function: with all calls inlined, a unit takes minutes to compile.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define BEZIERBENCH_INLINE_ALL_CALLS
 #else
